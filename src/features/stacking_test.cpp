@@ -52,6 +52,22 @@ TEST(Stacking, AFeatureThatReachesBeyondAnEarlierOneBeginsAtTheHighestPlaceLeft)
   EXPECT_EQ(part.diagnostics.items()[0].severity, Severity::kWarning) << "declared lower than it is";
 }
 
+/// A hole of 10 mm in the floor of a pocket 5 mm deep, 1 mm beside one of its walls.
+TEST(Stacking, BesideAToolStandsWhatItsShankWouldMeet) {
+  Part part = block();
+  add(part, rectangle(10, 10, 90, 90), 0, -5);
+  const Regions hole{rectangle(11, 20, 21, 30)};
+  Tool tool;
+  tool.diameter = 6;
+  EXPECT_EQ(top_beside_tool(part, 1, hole, tool, {}), -5);
+  EXPECT_EQ(top_beside_tool(part, 0, hole, tool, {}), 0) << "before the pocket";
+  EXPECT_EQ(top_beside_tool(part, 1, {rectangle(10, 20, 21, 30)}, tool, {}), 0) << "under its wall";
+  tool.shank_diameter = 7;
+  EXPECT_EQ(top_beside_tool(part, 1, hole, tool, {}), -5);
+  tool.shank_diameter = 8;
+  EXPECT_EQ(top_beside_tool(part, 1, hole, tool, {}), 0) << "1.2 mm beside the hole";
+}
+
 TEST(Stacking, ThinFeaturesAreNoSliversOfThemselves) {
   Part part = block();
   part.tools = {Tool{}};

@@ -15,6 +15,8 @@ namespace {
 
 /// mm. Remainders with a smaller mean thickness, along nominally coincident outlines, do not count.
 constexpr double kSliver = 0.05;
+/// mm. Room that the tool above its flutes needs beside it, more than slivers are thick.
+constexpr double kClearOfShank = 0.2;
 /// Share of a target's own width from which on a remainder counts.
 constexpr double kShareOfOwn = 0.5;
 
@@ -240,6 +242,23 @@ std::vector<double> stacked_tops(const Part& part, const Tolerances& tol) {
     deepest_first.insert(place, cleared_by(feature, full, top, tol));
   }
   return tops;
+}
+
+double top_beside_tool(const Part& part, std::size_t steps, const Regions& target, const Tool& tool,
+                       const Tolerances& tol) {
+  Part before = part;
+  before.workplan.resize(steps);
+  Workingstep asked;
+  asked.feature = static_cast<int>(before.features.size());
+  asked.operation.tool = -1;
+  Feature place;
+  const double wider = std::max(0.0, tool.shank_diameter / 2 - widest_radius(tool));
+  place.target = dilate(target, wider + kClearOfShank, tol);
+  place.top_z = place.floor_z = part.top_z();
+  for (const Feature& feature : part.features) place.floor_z = std::min(place.floor_z, feature.floor_z);
+  before.features.push_back(place);
+  before.workplan.push_back(asked);
+  return stacked_tops(before, tol).back();
 }
 
 void stack_tops(Part& part, const Tolerances& tol) {

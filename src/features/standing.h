@@ -2,6 +2,7 @@
 // the height of the top of each feature's material.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -34,6 +35,12 @@ Regions without(const Regions& standing, const Cleared& cleared, const Tolerance
 /// the height. Cost O(areas) booleans.
 double top_over(const Regions& target, const std::vector<Cleared>& deepest_first, double start,
                 const Tolerances& tol);
+
+/// mm; height of the highest material beside a tool that stands in `target` when the first `steps` workingsteps are done:
+/// over the target, and as far beside it as the tool above its flutes needs room. Flutes need to reach up to there.
+/// Earlier features count as cleared down to their floors. Cost O(features) booleans for each feature at worst.
+double top_beside_tool(const Part& part, std::size_t steps, const Regions& target, const Tool& tool,
+                       const Tolerances& tol);
 
 /// The material left over the target of a workingstep by earlier steps.
 ///

@@ -243,10 +243,13 @@ int profile_tool(const ProfileCut& cut, const std::vector<Tool>& tools, const To
   return mills.back();
 }
 
-/// For V-carving the first V-bit, for engraving the first V-bit or ball; -1 if there is none.
+/// For V-carving the first V-bit, for engraving the first V-bit or ball; else a chamfer mill, whose flat tip does not go down into
+/// the material of a line if there is a mill for it; -1 if there is none.
 int carving_tool(const Feature& feature, const std::vector<Tool>& tools) {
-  for (const ToolKind kind : {ToolKind::kVBit, ToolKind::kChamferMill, ToolKind::kBallEndMill}) {
+  const bool is_milled = feature.kind == FeatureKind::kEngraving && !mills_by_size(tools).empty();
+  for (const ToolKind kind : {ToolKind::kVBit, ToolKind::kBallEndMill, ToolKind::kChamferMill}) {
     for (std::size_t i = 0; i < tools.size(); ++i) {
+      if (kind == ToolKind::kChamferMill && is_milled && tools[i].tip_diameter > 0) continue;
       if (tools[i].kind == kind && is_carved(feature, tools[i])) return static_cast<int>(i);
     }
   }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "geometry/region.h"
 
@@ -57,6 +58,35 @@ TEST(Fitting, StripsAlongAStraightSideTakeAny) {
       {-kOpenReach, -0.04}, {kOpenReach, -0.04}, {kOpenReach, kOpenReach}, {-kOpenReach, kOpenReach}};
   strip.allowed = {Region::from_valid_loops(loop_from_points(corners), {})};
   EXPECT_GT(largest_for(strip), kOpenReach / 2);
+}
+
+/// A chamfer mill does not cut with its flat tip, which would have to go down into the material of a line.
+TEST(Engraving, IsNotForTheFlatTipOfAChamferMill) {
+  Feature line;
+  line.kind = FeatureKind::kEngraving;
+  line.profile = ProfileCut{};
+  line.profile->side = ProfileSide::kOn;
+  const auto tool = [](ToolKind kind, double diameter) {
+    Tool one;
+    one.kind = kind;
+    one.diameter = diameter;
+    return one;
+  };
+  const auto cone = [&](ToolKind kind, double tip) {
+    Tool one = tool(kind, 8);
+    one.tip_angle = Radians::of_degrees(90);
+    one.tip_diameter = tip;
+    return one;
+  };
+  const Tool chamfer = cone(ToolKind::kChamferMill, 0.4), sharp = cone(ToolKind::kChamferMill, 0),
+             bit = cone(ToolKind::kVBit, 0.4), ball = tool(ToolKind::kBallEndMill, 2),
+             mill = tool(ToolKind::kEndMill, 3), drill = tool(ToolKind::kDrill, 5);
+  const auto chosen = [&](const std::vector<Tool>& tools) { return tool_for(line, tools, {}, {}); };
+  EXPECT_EQ(chosen({drill, chamfer, ball}), 2);
+  EXPECT_EQ(chosen({ball, chamfer, bit}), 2);
+  EXPECT_EQ(chosen({chamfer, mill}), 1);
+  EXPECT_EQ(chosen({mill, sharp}), 1);
+  EXPECT_EQ(chosen({drill, chamfer}), 1) << "there is nothing else";
 }
 
 }  // namespace

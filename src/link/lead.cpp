@@ -27,13 +27,17 @@ struct Place {
   double along = 0;
 };
 
-/// The start of the path and the middles of its edges, the nearest to the start first.
-std::vector<Place> places_on(const Path& path) {
+/// The start of the path and the middles of its edges, the nearest to the start first; if places have to be away from corners, the
+/// middles of the edges that are long enough for it, or of the longest.
+std::vector<Place> places_on(const Path& path, double from_corners) {
+  double longest = 0;
+  for (const Edge& edge : path) longest = std::max(longest, edge.length());
   std::vector<Place> places;
   double along = 0;
   for (const Edge& edge : path) {
     const double size = edge.length();
-    places.push_back({edge.at(0.5), edge.tangent_at(0.5), along + size / 2});
+    if (size >= std::min(2 * from_corners, longest))
+      places.push_back({edge.at(0.5), edge.tangent_at(0.5), along + size / 2});
     along += size;
   }
   const double whole = along;
@@ -41,7 +45,7 @@ std::vector<Place> places_on(const Path& path) {
   std::stable_sort(places.begin(), places.end(),
                    [&](const Place& a, const Place& b) { return apart(a) < apart(b); });
   if (places.size() > kMostLeadPlaces) places.resize(kMostLeadPlaces);
-  places.insert(places.begin(), {path.front().from, path.front().tangent_at(0), 0});
+  if (from_corners <= 0) places.insert(places.begin(), {path.front().from, path.front().tangent_at(0), 0});
   return places;
 }
 
@@ -61,12 +65,12 @@ bool holds_disc(const Regions& legal, Vec2 center, double radius) {
 /// Searches for a lead on one pass.
 class LeadSearch {
  public:
-  LeadSearch(const Path& path, const Regions& legal, double overlap)
+  LeadSearch(const Path& path, const Regions& legal, const LeadShape& shape)
       : path_(path),
         legal_(legal),
         area_(legal),
-        overlap_(std::min(overlap, length(path))),
-        places_(places_on(path)) {}
+        overlap_(std::min(shape.overlap, length(path))),
+        places_(places_on(path, shape.from_corners)) {}
 
   /// The first fitting lead: arcs of radius `size` mm or, if there is an `angle`, lines of length `size`.
   std::optional<Lead> find(double size, std::optional<Radians> angle) const {
@@ -115,7 +119,7 @@ class LeadSearch {
 }  // namespace
 
 std::optional<Lead> lead_for(const Path& path, const Regions& legal, const LeadShape& shape) {
-  const LeadSearch search(path, legal, shape.overlap);
+  const LeadSearch search(path, legal, shape);
   auto lead = search.find(shape.size, shape.angle);
   return lead || shape.angle ? lead : search.find(shape.size, Radians::of(kLineAngle));
 }

@@ -12,6 +12,9 @@ struct LeadShape {
   double size = 0;               ///< mm; radius of arcs, length of lines
   std::optional<Radians> angle;  ///< between lines and the pass; absent: arcs tangent to the pass
   double overlap = 0;            ///< mm; the pass continues this far beyond its start before the lead-out
+  /// mm; if greater than 0 the lead is at a place this far from the ends of its edge: a control that shifts the pass begins
+  /// and ends it square to the edge, which beside an inside corner is beyond the other edge's shifted path.
+  double from_corners = 0;
 };
 
 struct Lead {
@@ -21,8 +24,8 @@ struct Lead {
   double overlap = 0;  ///< mm from there, once round, to the beginning of `out`
 };
 
-/// Places a lead inside `legal`. At the start of the closed `path`, else in the middle of one of its edges,
-/// the nearest first; else half and a quarter as large; else, instead of arcs, lines of 45 degrees by the same rules;
+/// Places a lead inside `legal`. At the start of the closed `path` (unless it has to be away from corners), else in the middle of
+/// one of its edges, the nearest first; else half and a quarter as large; else, instead of arcs, lines of 45 degrees by the same rules;
 /// else nothing.
 ///
 /// Arcs   Quarter circles. The disc of the arc keeps its radius from the boundary of the legal area, to within the

@@ -281,12 +281,23 @@ double Linker::go_to(const Candidate& next, const Path& path, bool is_ring) {
   }
   const bool straight = work_.pass(next.item).may_cut_to_start || access_paths().in_air(p);
   const auto access = straight ? access_paths().to(p, next.item) : std::nullopt;
-  if (!access && !work_.pass(next.item).starts_clear)
+  if (!access && !work_.pass(next.item).starts_clear && !is_cleared_by_earlier_steps(p, next.item))
     return enter_material(p, path, is_ring ? &path : nullptr, next.item);
   go_over(access && !access->empty() ? access->front().from : p, next.item);
   moves_.vertical(layer(next.item).layer().z, MoveKind::kPlunge, options_.plunge_feed);
   if (access) cut(*access, std::vector<MoveKind>(access->size(), MoveKind::kLeadIn));
   return 0;
+}
+
+/// Whether a cutter at p, in the area of a pass along walls, meets nothing that earlier steps have left beside the walls.
+bool Linker::is_cleared_by_earlier_steps(Vec2 p, std::size_t item) const {
+  const LayerPasses& passes = layer(item).layer();
+  if (!passes.cleared_beyond) return false;
+  const double least = *passes.cleared_beyond - kSamePlaceMm;
+  return std::all_of(passes.passes.begin(), passes.passes.end(), [&](const Pass& pass) {
+    return std::all_of(pass.path.begin(), pass.path.end(),
+                       [&](const Edge& edge) { return distance(edge, p) >= least; });
+  });
 }
 
 void Linker::link_to(Vec2 p) {

@@ -93,6 +93,7 @@ class Linker {
   std::optional<Lead> lead_for_pass(const Path& path, const Candidate& next);
   void start_from_air(Candidate& next) const;
   double go_to(const Candidate& next, const Path& path, bool is_ring);
+  bool is_cleared_by_earlier_steps(Vec2 p, std::size_t item) const;
   void link_to(Vec2 p);
   void go_over(Vec2 p, std::size_t item);
   Entry entry_into(const EntryPlace& place, std::size_t item) const;

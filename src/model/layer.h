@@ -59,6 +59,7 @@ struct LayerPasses {
   /// mm; uncut residuals up to this distance from cleared areas may stay between passes.
   double residual = 0;
   std::vector<Pass> passes;
+  std::optional<double> cleared_beyond;  ///< mm, as of Layer
   /// Height of the top of walls above z_top that are no farther away than the layer's walls; absent: there are none.
   std::optional<double> wall_top;
   bool outside_in = false;    ///< rings come before the rings inside them
@@ -85,6 +86,11 @@ struct Layer {
   bool bare = false;
   /// The target is what earlier steps have left: beyond it, nothing stands where the cutter may be.
   bool rest = false;
+  /// mm; earlier steps have cleared everything that the cutter touches this far or farther from the passes along the walls.
+  /// Absent: not known.
+  std::optional<double> cleared_beyond;
+  /// mm; earlier steps have cut a slot that leaves the cutter so much room beside the passes of a profile.
+  double room_beside = 0;
 };
 
 /// A strategy as its callers see it.

@@ -269,6 +269,8 @@ struct Part {
   Diagnostics diagnostics;
   /// Options that were found to have no effect on this part while it was prepared, with the reason.
   std::map<std::string, std::string> idle = {};
+  /// The work's material as the input states it, a name of work_material_names(), where it is needed: some operation has no feed or no speed.
+  std::optional<std::string> material = {};
 
   double top_z() const;   ///< stock top, or the highest feature top
   double safe_z() const;  ///< clearance_z; else 10 mm above the top and at least 2 mm above all keep-outs

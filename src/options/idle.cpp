@@ -456,7 +456,7 @@ std::string plans_corners_otherwise(const Situation& at) {
 }
 
 std::string bears_on_no_feeds(const Situation& at) {
-  if (at.asked.shop.material) return "";
+  if (at.asked.shop.material || at.plan.part.material) return "";
   const Machine& machine = at.plan.machine;
   return unless(any_step(at,
                          [&](const Workingstep&, const ResolvedStep& step) {

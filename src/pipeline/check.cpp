@@ -3,7 +3,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -11,6 +13,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "features/round_hole.h"
+#include "features/tool_choice.h"
 #include "model/results/findings.h"
 #include "model/section_names.h"
 #include "pipeline/copies.h"
@@ -72,18 +75,54 @@ void number_sections(Toolpath& toolpath, const Part& part) {
   }
 }
 
+bool is_cleared_or_drilled(const Feature& feature) {
+  switch (feature.kind) {
+    case FeatureKind::kClosedPocket:
+    case FeatureKind::kOpenPocket:
+    case FeatureKind::kSlot:
+    case FeatureKind::kRoundHole:
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// Whether one of `tools` goes into a feature, or leaves the fillet at the foot of its walls, and no tool of its steps does: what the program leaves out must not
+/// count as out of reach of the tools that it calls.
+bool leaves_a_feature_out(const Part& part, const std::vector<Tool>& tools, const Tolerances& tol) {
+  for (std::size_t i = 0; i < part.features.size(); ++i) {
+    const Feature& feature = part.features[i];
+    if (!is_cleared_or_drilled(feature)) continue;
+    double narrowest = std::numeric_limits<double>::infinity();
+    bool keeps_fillet = false;
+    for (const Workingstep& step : part.workplan) {
+      if (step.feature != static_cast<int>(i)) continue;
+      narrowest = std::min(narrowest, tool_of(part, step).diameter);
+      keeps_fillet = keeps_fillet || features::keeps_fillet(tool_of(part, step), feature);
+    }
+    if (!std::isfinite(narrowest)) continue;
+    const double fits = features::largest_fitting_diameter(feature, tol) + tol.fit;
+    const auto best = static_cast<std::size_t>(features::tool_for(feature, tools, {}, tol));
+    if (narrowest > fits && tools[best].diameter <= fits) return true;
+    if (!keeps_fillet && features::keeps_fillet(tools[best], feature)) return true;
+  }
+  return false;
+}
+
 /// Decides every value of a question with other options.
 using Resolver = std::function<ResolvedPlan(const resolve::PlanOptions&)>;
 
-/// The question with the tools called by the program; with all given tools if the part cannot be made with only the
-/// called ones, because the program leaves work out. `asked` becomes the resolved options.
+/// The question with the tools called by the program; with all given tools if the part, or one of its features, cannot be made with
+/// only the called ones, because the program leaves work out. `asked` becomes the resolved options.
 ResolvedPlan resolved_for(const Toolpath& toolpath, resolve::PlanOptions& asked, const Resolver& resolved) {
   resolve::PlanOptions called = with_tools_of(toolpath, asked);
   if (called.tools.size() < asked.tools.size()) {
     try {
       ResolvedPlan plan = resolved(called);
-      asked = std::move(called);
-      return plan;
+      if (!leaves_a_feature_out(plan.part, asked.tools, plan.tol)) {
+        asked = std::move(called);
+        return plan;
+      }
     } catch (const InputError&) {  // reported below if it also fails with all tools
     }
   }
@@ -372,14 +411,16 @@ CheckResult check_resolved(const Part& part, const ProgramText& text, const reso
   result.findings =
       check(result.part, result.toolpath, result.control, read.conditions, result.dialect, plan, stated);
   if (resolve::writes_wear(options.shop))
-    check_wear(result.findings, {wear_range_of(options.shop), plan.tol.uncut, read.compensated_tools, {}},
+    check_wear(result.findings,
+               {wear_range_of(options.shop), read.compensated_tools, &result.part, &result.toolpath},
                [&](double wear) {
                  auto shifted = read_program(text, options, tools, part.top_z(), by_hand, wear);
                  const Part cut = worn(result.part, read.compensated_tools, wear);
                  number_sections(shifted.toolpath, cut);
                  SectionNames(cut).settle(shifted.toolpath);
-                 return check(cut, shifted.toolpath, shifted.control, shifted.conditions, shifted.dialect,
-                              plan, stated);
+                 Findings found = check(cut, shifted.toolpath, shifted.control, shifted.conditions,
+                                        shifted.dialect, plan, stated);
+                 return WornProgram{std::move(shifted.toolpath), std::move(found)};
                });
   add_conditions_of_part(result.part, plan, result.findings);
   add_not_machined(result.part.diagnostics, result.findings);

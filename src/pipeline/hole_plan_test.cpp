@@ -72,6 +72,21 @@ TEST(HolePlan, APlaceThatTheDigitsOfInchesMissIsThePlace) {
   EXPECT_TRUE(has(beside, FaultKind::kGouge)) << faults_of(beside);
 }
 
+/// Taps go straight down as drills do, and boring bars take the walls that mills leave within these digits.
+TEST(HolePlan, TappedAndBoredHolesMayLieBesideTheirPlacesAsDrilledOnesMay) {
+  for (const char* dialect : {"fanuc", "heidenhain", "siemens"}) {
+    SCOPED_TRACE(dialect);
+    const auto in_inches = [&](const std::string& hole, const std::vector<std::string>& tools) {
+      auto options = with(tools);
+      options.post.dialect = dialect;
+      options.post.inch = true;
+      expect_clean(plan_part(drawn(kBlock + hole), options));
+    };
+    in_inches(circle("TAP_M6_D7", {15, 20}, 3), {"drill:5", "tap:M6:floating"});
+    in_inches(circle("BORE_D6", {10, 20}, 7), {"endmill:4", "boringbar:14"});
+  }
+}
+
 TEST(HolePlan, APlaceThatCoarserDigitsMissIsAFaultAndSaidWithWhatHelps) {
   const Part part = drawn(kBlock + circle("DRILL_D5", {11.6249, 11.6249}, 3));
   auto options = with({"drill:6"});

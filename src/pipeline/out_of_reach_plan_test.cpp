@@ -155,5 +155,19 @@ TEST(OutOfReach, IsNothingOfARoundBottomThatTheBallMakes) {
   EXPECT_FALSE(has(result.findings, FaultKind::kGouge)) << faults_of(result.findings);
 }
 
+/// A ball makes the fillet at the foot of the walls, and leaves cusps all over the floor.
+TEST(OutOfReach, IsTheFloorBesideAFilletWhereABallMakesBoth) {
+  Part part = drawn(box("POCKET_D4", 0, 0, 24, 20));
+  part.features.front().floor_fillet = 1.5;
+  const auto says = [&](const std::vector<std::string>& tools) {
+    std::string text;
+    for (const Condition& one : open_conditions(plan_part(part, with(tools)).findings))
+      text += one.name + ": " + one.text;
+    return text;
+  };
+  EXPECT_THAT(says({"ball:3"}), HasSubstr("which ends in a ball"));
+  EXPECT_EQ(says({"bullnose:6:corner=1.5"}), "");
+}
+
 }  // namespace
 }  // namespace clearcut::pipeline

@@ -93,6 +93,7 @@ std::vector<LayerPasses> passes_of(const StepWork& work, const Feature& feature,
                      : layer.walls_only ? plan::plan_walls(layer.layer, job.tol)
                                         : strategy(layer.layer));
     passes.back().wall_top = work.wall_top;
+    passes.back().cleared_beyond = layer.layer.cleared_beyond;
     if (work.meets_others && plan.leaves_nothing && candidate.as_rival)
       plan.leaves_nothing = plan::leaves_nothing(passes.back(), layer.layer.tool_radius);
     if (layer.rest) passes.back().residual = std::max(passes.back().residual, kResidualOfOthers);

@@ -690,10 +690,11 @@ void IsoWriter::begin_compensation(const Move& lead, const Move& next, const Sec
   if (lead.path.is_arc())
     refuse_compensation(section, "begin with an arc; give --lead-angle, so that they begin with a line");
   if (lead.path.length() <= 2 * options_.wear->range)
-    refuse_compensation(section,
-                        "begin with a line of " + trimmed(lead.path.length(), 3) +
-                            " mm, which is less than twice the range of wear; give a longer --lead or a "
-                            "smaller --wear-range");
+    refuse_compensation(
+        section,
+        "begin with a line of " + trimmed(lead.path.length(), 3) +
+            " mm, which is less than twice the range of wear; give a longer --lead (in the slot of a "
+            "profile, more --finish-stock) or a smaller --wear-range");
   const bool is_left = cross(next.path.tangent_at(0), lead.path.from - lead.path.to) > 0;
   out_.word(is_left ? "G41" : "G42");
   if (dialect_.radius == RadiusWord::kNumbered) out_.word(fmt::format("D{}", held_.tool));

@@ -257,6 +257,13 @@ void limit_feeds(CuttingData& cutting, const PlanOptions& options, Sources& sour
   limit(cutting.slot_feed, "slot-feed", level);
 }
 
+/// The material whose values count for the operation: the user's, else the input's where the operation has no feed or no speed; "" if none.
+std::string material_for(const Part& part, const Operation& operation, const PlanOptions& options) {
+  if (options.shop.material) return *options.shop.material;
+  const CuttingData& cutting = operation.cutting;
+  return cutting.feed && cutting.spindle_rpm ? "" : part.material.value_or("");
+}
+
 /// Applies the values of the work's material; for taps before their feed is derived from the speed. Adds messages to
 /// `noted`.
 void apply_material(Part& part, Workingstep& step, const PlanOptions& options, Sources& sources,
@@ -265,8 +272,9 @@ void apply_material(Part& part, Workingstep& step, const PlanOptions& options, S
   const Feature& feature = feature_of(part, step);
   const double stepdown = step.operation.stepdown.value_or(default_stepdown(tool, feature));
   const double whole = feature.top_z - feature.floor_z;
+  const double depth = is_conical(tool) ? whole : std::min(stepdown, whole);
   const FilledValues told = fill_cutting_values(
-      step.operation, tool, is_conical(tool) ? whole : std::min(stepdown, whole), options, sources);
+      step.operation, tool, depth, material_for(part, step.operation, options), options, sources);
   const auto is_new = [&](const std::string& text) {
     return std::find(noted.begin(), noted.end(), text) == noted.end();
   };

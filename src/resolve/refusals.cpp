@@ -22,6 +22,8 @@ namespace {
 
 /// mm. Heights nearer than this are one.
 constexpr double kLevel = 0.01;
+/// Relative difference of areas that are one.
+constexpr double kSameArea = 1e-6;
 /// mm. Permitted depth below the material of a cut not marked as going through: the surface below the board bears
 /// this.
 constexpr double kBelowStock = 0.5;
@@ -115,33 +117,44 @@ void refuse_wrong_kind(const Part& part, const Workingstep& step) {
                                tool.number, name_of(tool.kind), trimmed(tool.diameter, 4)));
 }
 
-/// mm from the top of the part down to the floor: the length compared with that of the flutes, as in `verify`.
-double depth_below_top(const Part& part, const Workingstep& step) {
-  return part.top_z() - feature_of(part, step).floor_z;
+/// The length that flutes must have: mm from the floor up to the top of the material beside the tool when the step, of the
+/// workplan of the part, begins. Over a wider hole or pocket that was cut before it, nothing stands beside the tool.
+double height_beside_tool(const Part& part, const Workingstep& step, const Tolerances& tol) {
+  const Feature& feature = feature_of(part, step);
+  // A mill that may leave its target comes beside material that the target does not tell of.
+  const bool is_closed =
+      makes_holes(tool_of(part, step)) || area(feature.allowed) <= area(feature.target) * (1 + kSameArea);
+  const auto before = static_cast<std::size_t>(&step - part.workplan.data());
+  const double top = is_closed
+                         ? features::top_beside_tool(part, before, feature.target, tool_of(part, step), tol)
+                         : part.top_z();
+  return top - feature.floor_z;
 }
 
-/// mm; greatest depth of all steps with the step's tool.
-double deepest_with_tool_of(const Part& part, const Workingstep& step) {
-  double deepest = 0;
+/// mm; greatest length of flutes that a step with the step's tool needs.
+double longest_with_tool_of(const Part& part, const Workingstep& step, const Tolerances& tol) {
+  double longest = 0;
   for (const Workingstep& other : part.workplan) {
     if (other.operation.tool == step.operation.tool)
-      deepest = std::max(deepest, depth_below_top(part, other));
+      longest = std::max(longest, height_beside_tool(part, other, tol));
   }
-  return deepest;
+  return longest;
 }
 
-void refuse_beyond_flutes(const Part& part, const Workingstep& step) {
+void refuse_beyond_flutes(const Part& part, const Workingstep& step, const Tolerances& tol) {
   const Feature& feature = feature_of(part, step);
   const Tool& tool = tool_of(part, step);
   // Rows of teeth cut a thread in several passes; their shank is narrower.
   if (tool.kind == ToolKind::kThreadMill || tool.kind == ToolKind::kTSlot) return;
   if (tool.flute_length) {
-    if (depth_below_top(part, step) <= *tool.flute_length + kLevel) return;
+    if (part.top_z() - feature.floor_z <= *tool.flute_length + kLevel) return;
+    const double height = height_beside_tool(part, step, tol);
+    if (height <= *tool.flute_length + kLevel) return;
     throw InputError(
         feature.name,
-        fmt::format("its floor lies {} mm below the top of the part and the flutes "
+        fmt::format("its floor lies {} mm below the top of the material around it and the flutes "
                     "of T{} are {} mm long; use a longer tool or less depth",
-                    trimmed(depth_below_top(part, step), 3), tool.number, trimmed(*tool.flute_length, 3)));
+                    trimmed(height, 3), tool.number, trimmed(*tool.flute_length, 3)));
   }
   const double depth = feature.top_z - feature.floor_z;
   const bool drills = makes_holes(tool) || tool.kind == ToolKind::kTap;
@@ -151,7 +164,7 @@ void refuse_beyond_flutes(const Part& part, const Workingstep& step) {
       fmt::format("it is {} mm deep, {} diameters of T{}; if the flutes reach that far say so "
                   "(--tool {}:{}:length={}, flute_length in files), else use less depth",
                   trimmed(depth, 3), trimmed(depth / tool.diameter, 0), tool.number, name_of(tool.kind),
-                  trimmed(tool.diameter, 4), trimmed(deepest_with_tool_of(part, step), 3)));
+                  trimmed(tool.diameter, 4), trimmed(longest_with_tool_of(part, step, tol), 3)));
 }
 
 double widest_radius(const Part& part) {
@@ -265,11 +278,11 @@ void refuse_plunges(const Part& part, const PlanOptions& options) {
   }
 }
 
-void refuse_step(const Part& part, const Workingstep& step) {
+void refuse_step(const Part& part, const Workingstep& step, const Tolerances& tol) {
   refuse_beside_stock(part, feature_of(part, step));
   refuse_below_stock(part, feature_of(part, step));
   refuse_wrong_kind(part, step);
-  refuse_beyond_flutes(part, step);
+  refuse_beyond_flutes(part, step, tol);
   refuse_under_clamps(part, step);
 }
 
@@ -354,7 +367,8 @@ std::optional<Part> without_steps_above_stock(const Part& asked, const Tolerance
 
 std::optional<Part> without_impossible_steps(const Part& asked, const Part& prepared, const Tolerances& tol) {
   return without(asked,
-                 refused_steps(prepared, [&](const Workingstep& step) { refuse_step(prepared, step); }), tol);
+                 refused_steps(prepared, [&](const Workingstep& step) { refuse_step(prepared, step, tol); }),
+                 tol);
 }
 
 void tell_of_shallow(Part& part, const Tolerances& tol) {
@@ -377,7 +391,7 @@ void tell_of_shallow(Part& part, const Tolerances& tol) {
 void refuse_what_cannot_be(const Part& part, const PlanOptions& options) {
   refuse_low_rapids(part);
   for (const Workingstep& step : part.workplan) {
-    refuse_step(part, step);
+    refuse_step(part, step, options.tol);
   }
   refuse_plunges(part, options);
   refuse_allowance_as_deep(part, options.tol);

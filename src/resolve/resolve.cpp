@@ -337,10 +337,14 @@ ResolvedPlan resolve(const Part& part, const PlanOptions& options, const Strateg
 
 ResolvedPlan resolve_possible(const Part& part, const PlanOptions& options, const StrategyTable& strategies) {
   const auto below = without_steps_above_stock(part, options.tol);
-  const Part& asked = below ? *below : part;
-  ResolvedPlan plan = resolve(asked, options, strategies);
-  const auto rest = without_impossible_steps(asked, plan.part, options.tol);
-  return rest ? resolve(*rest, options, strategies) : std::move(plan);
+  Part asked = below ? *below : part;
+  // What is left out may leave too much material over the rest.
+  while (true) {
+    ResolvedPlan plan = resolve(asked, options, strategies);
+    std::optional<Part> rest = without_impossible_steps(asked, plan.part, options.tol);
+    if (!rest) return plan;
+    asked = std::move(*rest);
+  }
 }
 
 ResolvedPlan resolve_without_part(const PlanOptions& options) {

@@ -61,7 +61,7 @@ void add_finishing_steps(Part& part, const PlanOptions& options, StepSources& so
 void refuse_above_stock(const Part& part);
 
 /// `part` as prepared. Throws InputError, one line with the remedy, for: rapids at or below the top of the material; features
-/// beside the material; floors below it that are no through cuts; floors farther below the top of the part than the flutes of
+/// beside the material; floors below it that are no through cuts; floors farther below the material beside the tool than the flutes of
 /// their tool are long, or (flutes unknown) features deeper than ten of its diameters, twenty for drills; cutters that
 /// may not plunge and can go down no other way; features no deeper than the stock to leave on their floors; parts that take months of cutting; starts and predrilled holes that lie in no feature.
 void refuse_what_cannot_be(const Part& part, const PlanOptions& options);

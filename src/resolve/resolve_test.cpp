@@ -54,6 +54,34 @@ void expect_value(const ResolvedPlan& plan, const std::string& name, const std::
   EXPECT_EQ(value.source.text, source) << name;
 }
 
+/// What is stated counts first, then the user's material, then that of the input.
+TEST(Resolve, TheInputsMaterialGivesFeedsThatNobodyStates) {
+  const auto resolved = [](std::optional<const char*> of_input, std::optional<const char*> of_user,
+                           std::optional<double> feed = {}, std::optional<double> rpm = {}) {
+    Part part = pocket();
+    if (of_input) part.material = *of_input;
+    if (feed) part.workplan[0].operation.cutting.feed = MmPerMin::of(*feed);
+    part.workplan[0].operation.cutting.spindle_rpm = rpm;
+    PlanOptions options;
+    if (of_user) options.shop.material = *of_user;
+    options.shop.style = "fastest";
+    return resolve(part, options, table());
+  };
+  const ResolvedPlan aluminium = resolved({}, "aluminium"), steel = resolved({}, "steel");
+  ASSERT_FALSE(aluminium.steps[0].feed == steel.steps[0].feed);
+  const auto expect_same = [](const ResolvedPlan& a, const ResolvedPlan& b) {
+    EXPECT_EQ(a.steps[0].feed, b.steps[0].feed);
+    EXPECT_EQ(a.steps[0].plunge_feed, b.steps[0].plunge_feed);
+    EXPECT_EQ(a.steps[0].spindle_rpm, b.steps[0].spindle_rpm);
+  };
+  expect_same(resolved("steel", {}), steel);
+  expect_same(resolved("aluminium", "steel"), steel);
+  expect_same(resolved("steel", {}, 700, 5000), resolved({}, {}, 700, 5000));
+  expect_same(resolved("steel", {}, 700), resolved({}, "steel", 700));
+  expect_same(resolved("steel", {}, {}, 5000), resolved({}, "steel", {}, 5000));
+  EXPECT_THAT(value_of(resolved("steel", {}), "feed").source.text, HasSubstr("steel: "));
+}
+
 TEST(Resolve, DecidesEveryDefaultAndSaysSo) {
   const ResolvedPlan plan = resolve(pocket(), {}, table());
   ASSERT_EQ(plan.steps.size(), 1U);

@@ -94,6 +94,27 @@ Workingstep named_step(const Workingstep& step, const std::string& ending, Opera
   return out;
 }
 
+double wall_stock_of(const ShopOptions& shop) {
+  return shop.finish_stock.value_or(kWallStock);
+}
+
+/// Leads into and out of passes along walls. A control begins and ends compensation along lines; in the slot of a profile there is
+/// room for lines that begin where the cutter cut the slot.
+void add_lead(Operation& operation, const Feature& feature, const Tool& tool, const ShopOptions& shop,
+              Sources& sources) {
+  const bool in_slot = feature.profile && !operation.lead;
+  if ((writes_wear(shop) || in_slot) && !operation.lead_angle) {
+    operation.lead_angle = Radians::of_degrees(kLeadAngle);
+    sources.set("lead-angle", {Origin::kDerived, in_slot ? "the slot has no room for arcs"
+                                                         : "compensation begins along lines"});
+  }
+  if (operation.lead) return;
+  operation.lead =
+      in_slot ? wall_stock_of(shop) / base::sin(operation.lead_angle->radians()) : kLead * tool.radius();
+  sources.set("lead",
+              {Origin::kDerived, in_slot ? "from where the slot was cut" : "half the cutter's radius"});
+}
+
 /// Along the walls, with the tool that came last.
 Workingstep wall_step(const Workingstep& last, const std::string& ending, const Part& part,
                       const ShopOptions& shop, StepSources& sources) {
@@ -107,15 +128,7 @@ Workingstep wall_step(const Workingstep& last, const std::string& ending, const 
     operation.stepdown = depth / shop.finish_depths.value_or(1);
     sources[step_key(step)].set("stepdown", {Origin::kDerived, "the depth over the depths of finishing"});
   }
-  if (!operation.lead) {
-    operation.lead = kLead * tool_of(part, last).radius();
-    sources[step_key(step)].set("lead", {Origin::kDerived, "half the cutter's radius"});
-  }
-  // A control begins and ends compensation along lines.
-  if (writes_wear(shop) && !operation.lead_angle) {
-    operation.lead_angle = Radians::of_degrees(kLeadAngle);
-    sources[step_key(step)].set("lead-angle", {Origin::kDerived, "compensation begins along lines"});
-  }
+  add_lead(operation, feature, tool_of(part, last), shop, sources[step_key(step)]);
   return step;
 }
 
@@ -124,7 +137,7 @@ void add_wall_steps(const Workingstep& last, const Part& part, const ShopOptions
                     std::vector<Workingstep>& walls, StepSources& sources) {
   const int steps = static_cast<int>(shop.finish_steps.value_or(1));
   const int springs = static_cast<int>(shop.spring_passes.value_or(0));
-  const double stock = shop.finish_stock.value_or(kWallStock);
+  const double stock = wall_stock_of(shop);
   for (int k = 1; k < steps; ++k) {
     Workingstep step = wall_step(last, "_walls_" + std::to_string(k), part, shop, sources);
     step.operation.allowance_side += stock * (steps - k) / steps;
@@ -149,7 +162,7 @@ Workingstep floor_step(const Workingstep& roughing, bool rest, const Part& part,
   Workingstep step = named_step(roughing, "_floor", OperationKind::kBottomFinishing, sources);
   step.operation.rest = rest;
   if (finish_of(shop) == Finish::kAll && has_walls(feature_of(part, roughing))) {
-    step.operation.allowance_side += shop.finish_stock.value_or(kWallStock);
+    step.operation.allowance_side += wall_stock_of(shop);
     sources[step_key(step)].set("allowance", {Origin::kDerived, kForFinishing});
   }
   return step;
@@ -170,7 +183,7 @@ void add_floor_steps(const Part& part, int feature, const ShopOptions& shop, std
 void leave_stock(Operation& operation, const Feature& feature, const ShopOptions& shop, Sources& sources) {
   const Finish finish = finish_of(shop);
   if (finish != Finish::kFloor && has_walls(feature)) {
-    operation.allowance_side += shop.finish_stock.value_or(kWallStock);
+    operation.allowance_side += wall_stock_of(shop);
     sources.set("allowance", {Origin::kDerived, kForFinishing});
   }
   if (finish != Finish::kWalls) {

@@ -683,8 +683,10 @@ class ProfileSearch {
   const Material::Sweep* last_ = nullptr;
 };
 
-std::optional<Vec2> Material::in_reach(const Edge& path, const CutterProfile& cutter, double z) const {
-  return cutter.is_cylinder() ? in_reach(path, cutter.widest, z) : in_reach_of_profile(path, cutter, z);
+std::optional<Vec2> Material::in_reach(const Edge& path, const CutterProfile& cutter, double z,
+                                       double sliver) const {
+  return cutter.is_cylinder() ? in_reach(path, cutter.widest, z, kCylinder, sliver)
+                              : in_reach_of_profile(path, cutter, z, sliver);
 }
 
 std::optional<Vec2> Material::in_reach_of_profile(const Edge& path, const CutterProfile& cutter, double z,

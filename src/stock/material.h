@@ -104,7 +104,8 @@ class Material {
                                double sliver = 0) const;
   /// The same for a cutter of any profile with its tip at z: a point with material inside the cutter. Finds every
   /// piece of material that contains a square 0.04 mm wide.
-  std::optional<Vec2> in_reach(const Edge& path, const CutterProfile& cutter, double z) const;
+  std::optional<Vec2> in_reach(const Edge& path, const CutterProfile& cutter, double z,
+                               double sliver = 0) const;
 
   double z_top() const { return z_top_; }
   const std::optional<Box>& plan() const { return plan_; }

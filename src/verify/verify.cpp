@@ -416,6 +416,7 @@ Findings verify_program(const Part& part, const Toolpath& toolpath, const Verify
   if (!part.is_shape_stated) return findings_without_part(part, program, options);
   Findings findings = FindingsBuilder(part, program, works, carvings, options).build();
   findings.conditions = conditions_of_moves(program, options);
+  if (auto pecks = stated_pecks_exceeded(part, program)) findings.conditions.push_back(*std::move(pecks));
   if (findings.all.load)
     findings.all.thin_wall =
         thinnest_wall(finished.plain(), findings.all.load->max_force_n, *options.material);

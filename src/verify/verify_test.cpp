@@ -56,6 +56,46 @@ TEST(Verify, FiguresAreThoseOfTheMoves) {
   EXPECT_GT(findings.all.time_s, findings.all.time_naive_s);
 }
 
+/// A counterbore of 12 mm down to `step`, by a mill of 6, and on its floor a hole of `diameter` down to `floor`, by a drill of 5.
+Findings drilled_under_a_counterbore(double diameter, double step, double floor) {
+  Part part = pocket_part({Region::from_valid_loops(circle_loop({}, 6), {})}, 6, step);
+  Tool drill;
+  drill.kind = ToolKind::kDrill;
+  drill.number = 2;
+  drill.diameter = 5;
+  drill.tip_angle = Radians::of_degrees(118);
+  part.tools.push_back(drill);
+  Feature hole = part.features[0];
+  hole.name = "HOLE";
+  hole.kind = FeatureKind::kRoundHole;
+  hole.hole_diameter = diameter;
+  hole.target = hole.allowed = {Region::from_valid_loops(circle_loop({}, diameter / 2), {})};
+  hole.top_z = step;
+  hole.floor_z = floor;
+  part.features.push_back(hole);
+  part.workplan.push_back(part.workplan[0]);
+  part.workplan.back().name = "HOLE drill";
+  part.workplan.back().feature = part.workplan.back().operation.tool = 1;
+  Writer writer;
+  writer.enter({-3, 0}, 0, step);
+  writer.arc({3, 0}, {}, Turn::kCounterClockwise).arc({-3, 0}, {}, Turn::kCounterClockwise);
+  writer.leave().tool_change(2).enter({}, step, floor);
+  return verify_program(part, writer.done(), {});
+}
+
+/// A drill has its full width over its point alone, and what the counterbore clears says nothing of the hole under it.
+TEST(Verify, HolesShallowerThanTheirDrillsPointAreNotWideEnough) {
+  const double point = 2.5 / std::tan(59 * kPi / 180);
+  for (const double floor : {-3.0, -0.6 - point}) {
+    const Findings right = drilled_under_a_counterbore(5, -0.6, floor);
+    EXPECT_TRUE(right.all.clean) << report_of(right);
+    EXPECT_LT(right.all.unreachable_mm2, 0.01);
+  }
+  EXPECT_TRUE(has(drilled_under_a_counterbore(5, -0.6, -1.8), FaultKind::kUncut));
+  EXPECT_TRUE(has(drilled_under_a_counterbore(7, -0.6, -1.8), FaultKind::kUncut));
+  EXPECT_TRUE(has(drilled_under_a_counterbore(7, -0.6, -3), FaultKind::kUncut));
+}
+
 TEST(Verify, AMissingRingIsNamedWhereItWas) {
   std::vector<double> rings = kRings;
   rings.erase(rings.begin() + 2);  // the one at 11: leaves 9.5 .. 12.5

@@ -43,12 +43,26 @@ std::string refusal(const Part& part) {
   return "";
 }
 
-TEST(Refusals, LengthsOfFlutesThatAreProposedAreTakenAndReachTheDeepestFloor) {
+TEST(Refusals, LengthsOfFlutesThatAreProposedAreTaken) {
   EXPECT_THAT(refusal(two_levels(std::nullopt)), HasSubstr("POCKET110: it is 110 mm deep"));
-  EXPECT_THAT(refusal(two_levels(std::nullopt)), HasSubstr("endmill:10:length=130,"));
-  EXPECT_THAT(refusal(two_levels(110)),
-              HasSubstr("POCKET130: its floor lies 130 mm below the top of the part"));
-  EXPECT_EQ(refusal(two_levels(130)), "");
+  EXPECT_THAT(refusal(two_levels(std::nullopt)), HasSubstr("endmill:10:length=110,"));
+  EXPECT_EQ(refusal(two_levels(110)), "") << "nothing stands beside the cutter over the lower pocket";
+}
+
+TEST(Refusals, FlutesReachUpToTheTopOfWhatStandsBesideTheTool) {
+  EXPECT_THAT(refusal(two_levels(109)),
+              HasSubstr("POCKET110: its floor lies 110 mm below the top of the material around it"));
+  Part part = two_levels(110);
+  part.features[1].target = part.features[1].allowed = {rectangular_region({{0, 20}, {60, 40}})};
+  EXPECT_THAT(refusal(part), HasSubstr("POCKET130: its floor lies 130 mm below"))
+      << "under a wall of the upper one";
+  part = two_levels(110);
+  std::swap(part.workplan[0], part.workplan[1]);
+  EXPECT_THAT(refusal(part), HasSubstr("POCKET130: its floor lies 130 mm below"))
+      << "the upper one is cut later";
+  part = two_levels(110);
+  part.tools[0].shank_diameter = 60;
+  EXPECT_THAT(refusal(part), HasSubstr("POCKET130: its floor lies 130 mm below")) << "its shank is wide";
 }
 
 TEST(Refusals, CuttersThatMayNotPlungeNeedRoomToGoDown) {

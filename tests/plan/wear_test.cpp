@@ -3,13 +3,17 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "base/random.h"
 #include "pipeline/check.h"
 #include "pipeline/run.h"
+#include "pipeline/test_drawings.h"
 #include "support/plans.h"
+#include "support/random/random_parts.h"
 
 namespace clearcut {
 namespace {
 
+using pipeline::drawn;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -86,12 +90,107 @@ TEST(WearCompensation, IsWrittenAlongWallsAndHoldsAtBothEndsOfItsRange) {
     EXPECT_THAT(result.program, HasSubstr("G41"));
     EXPECT_THAT(result.program, HasSubstr("G40"));
     EXPECT_THAT(plain.program, Not(HasSubstr("G41")));
-    EXPECT_EQ(result.findings.all.feed_mm, plain.findings.all.feed_mm)
-        << "with a new tool nothing is shifted";
+    const auto along_walls = [](const pipeline::PlanResult& plan) {
+      std::vector<Edge> paths;
+      for (const Move& move : plan.toolpath.sections.back().moves)
+        if (move.kind == MoveKind::kCut) paths.push_back(move.path);
+      return paths;
+    };
+    EXPECT_EQ(along_walls(result), along_walls(plain)) << "with a new tool nothing is shifted";
     ASSERT_TRUE(result.findings.wear.has_value());
     EXPECT_EQ(result.findings.wear->range_mm, 0.1);
     EXPECT_EQ(result.findings.wear->tools, std::vector<int>{1});
   }
+}
+
+std::vector<BulgeVertex> star(Random& random, double inner, double outer) {
+  std::vector<BulgeVertex> corners;
+  const int count = 3 + static_cast<int>(random.below(7));
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * kPi * (i + 0.5 * random.between(0, 1)) / count;
+    const double bulge = random.below(3) == 0 ? random.between(-0.1, 0.2) : 0;
+    corners.push_back({direction_of(angle) * random.between(inner, outer), bulge});
+  }
+  return corners;
+}
+
+/// A cutter that is smaller or larger, and a D word that says so: the walls come out as drawn, and nothing stays between passes.
+TEST(WearCompensation, PlansOfRandomOutlinesHoldOverTheWholeRange) {
+  const int count = test_support::random_count(18);
+  for (int seed = 0; seed < count; ++seed) {
+    Random random(static_cast<std::uint64_t>(seed) + 77);
+    constexpr const char* kLayers[] = {"POCKET_D3", "PROFILE_D3", "INSIDE_D2", "POCKET_D1"};
+    const char* layer = kLayers[seed % 4];
+    const auto outline = star(random, 14, 26);
+    resolve::PlanOptions options =
+        test_support::plan_options_with({random.below(2) == 0 ? "endmill:6" : "endmill:3"});
+    options.shop.finish = "walls";
+    options.shop.compensation = "wear";
+    options.shop.wear_range = random.below(2) == 0 ? 0.05 : 0.1;
+    options.accept = {"out-of-reach", "blending"};
+    const auto result = pipeline::plan_part(drawn(pipeline::outline(layer, outline)), options);
+    EXPECT_EQ(verdict_of(result.findings), Verdict::kClean)
+        << layer << ", seed " << seed << ": " << verdict_and_reasons(result.findings);
+    EXPECT_THAT(result.program, ::testing::AnyOf(HasSubstr("G41"), HasSubstr("G42")))
+        << layer << ", seed " << seed;
+  }
+}
+
+/// Passes that the control does not shift leave nothing between them when the cutter is smaller, by places of the floor and their
+/// distance from the paths alone.
+TEST(WearCompensation, ASmallerCutterLeavesNothingBetweenPassesThatAreNotShifted) {
+  resolve::PlanOptions options = finishing("linuxcnc");
+  options.shop.compensation = "wear";
+  options.shop.wear_range = 0.2;
+  const auto result = pipeline::plan_part(pocket(60, 45), options);
+  test_support::expect_clean(result, "with wear");
+  double farthest = 0;
+  for (double x = 4; x <= 56; x += 0.25) {
+    for (double y = 4; y <= 41; y += 0.25) {
+      double nearest = 1e9;
+      for (const Section& section : result.toolpath.sections)
+        for (const Move& move : section.moves)
+          if (!is_rapid(move.kind) && move.z_to < -2.99 && move.z_from < -2.99)
+            nearest = std::min(nearest, distance(move.path, Vec2{x, y}));
+      farthest = std::max(farthest, nearest);
+    }
+  }
+  EXPECT_LE(farthest, 3 - 0.2 + 1e-6);
+}
+
+/// The last pass along a profile begins and ends in the slot that was cut, and not on the wall that stays.
+TEST(FinishedProfiles, AreLedIntoFromTheirSlot) {
+  const std::vector<BulgeVertex> square{{{0, 0}, 0}, {{40, 0}, 0}, {{40, 30}, 0}, {{0, 30}, 0}};
+  const struct {
+    const char* layer;
+    double side;
+  } cases[] = {{"PROFILE_D4", 1}, {"INSIDE_D4", -1}};
+  for (const auto& c : cases) {
+    SCOPED_TRACE(c.layer);
+    const auto result = pipeline::plan_part(drawn(pipeline::outline(c.layer, square)), finishing("linuxcnc"));
+    test_support::expect_clean(result, c.layer);
+    const Section& walls = result.toolpath.sections.back();
+    const Box box{{0, 0}, {40, 30}};
+    for (const Move& move : walls.moves) {
+      if (is_rapid(move.kind) || !move.is_vertical()) {
+        EXPECT_TRUE(is_rapid(move.kind) || move.z_from == move.z_to) << "nothing sinks along the wall";
+        continue;
+      }
+      const Vec2 p = move.path.from;
+      const double inside = std::min({p.x - box.min.x, box.max.x - p.x, p.y - box.min.y, box.max.y - p.y});
+      EXPECT_NEAR(-c.side * inside, 3.3, 0.002) << "down where the slot was cut";
+    }
+  }
+}
+
+/// What is asked of a program with the options of its plan is what the plan was found to be.
+TEST(FinishDepths, AreNoLimitOfRoughing) {
+  resolve::PlanOptions options = finishing("linuxcnc");
+  options.shop.finish_depths = 2;
+  const auto result = pipeline::plan_part(pocket(40, 30), options);
+  test_support::expect_clean(result, "in two depths");
+  const auto checked = pipeline::check_program(pocket(40, 30), result.program, "a.ngc", options);
+  EXPECT_TRUE(checked.findings.faults.empty()) << verdict_and_reasons(checked.findings);
 }
 
 TEST(WearCompensation, IsRefusedByNameWhereTheControlHasNone) {

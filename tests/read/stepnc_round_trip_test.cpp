@@ -48,6 +48,15 @@ TEST(StepNcRoundTrip, Plate) {
   expect_same_part(plate, read::stepnc::read_stepnc(post::write_stepnc(plate), "again.p21", {}));
 }
 
+TEST(StepNcRoundTrip, PartsWithoutFeedsKeepTheirMaterial) {
+  Part plate = test_support::plate();
+  plate.workplan.front().operation.cutting.feed.reset();
+  plate.material = "brass";
+  EXPECT_EQ(read::stepnc::read_stepnc(post::write_stepnc(plate), "again.p21", {}).material, "brass");
+  plate.material.reset();
+  EXPECT_FALSE(read::stepnc::read_stepnc(post::write_stepnc(plate), "again.p21", {}).material);
+}
+
 TEST(StepNcRoundTrip, TaperedEndMillsKeepTheirTaper) {
   Part plate = test_support::plate();
   Tool& tool = plate.tools.front();

@@ -53,6 +53,22 @@ TEST(SteppedSolids, FloorsThinnerThanTolerancesAreNoFaults) {
   }
 }
 
+/// Without a floor, too, a cone at hand breaks the edges.
+TEST(SteppedSolids, BrokenEdgesAloneAreMilledByACone) {
+  SKIP_WITHOUT_OPEN_CASCADE();
+  const std::string block = test_support::broken_block_text(40, 30, 10, 1);
+  EXPECT_THAT(refusal(block),
+              HasSubstr("a cone of 90 degrees, long and wide enough, breaks the edges of faces"));
+  read::ReadOptions options;
+  const resolve::PlanOptions cone = test_support::plan_options_with({"chamfer:6:90deg"});
+  options.solid.tools = cone.tools;
+  const Part part = read::read_part_text(block, "block.step", options);
+  ASSERT_EQ(part.features.size(), 1U);
+  EXPECT_EQ(part.features[0].kind, FeatureKind::kChamfer);
+  const pipeline::PlanResult result = pipeline::plan_part(part, cone);
+  EXPECT_EQ(verdict_of(result.findings), Verdict::kClean);
+}
+
 TEST(SteppedSolids, WhatIsTooLowForACutIsNamed) {
   SKIP_WITHOUT_OPEN_CASCADE();
   const Part part = read::read_part_text(nested(0.5, 0.0005), "nested.step", {});

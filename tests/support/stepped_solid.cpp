@@ -165,4 +165,20 @@ std::string step_text(const SteppedSolid& solid) {
   return Blocks(solid).text();
 }
 
+std::string broken_block_text(double width, double depth, double height, double chamfer) {
+  const auto corners = [&](double in, double z) {
+    return Polygon{{in, in, z}, {width - in, in, z}, {width - in, depth - in, z}, {in, depth - in, z}};
+  };
+  const Polygon low = corners(0, 0), foot = corners(0, height - chamfer), top = corners(chamfer, height);
+  Writer writer;
+  writer.add_face({low.rbegin(), low.rend()});
+  writer.add_face(top);
+  for (std::size_t i = 0; i < low.size(); ++i) {
+    const std::size_t next = (i + 1) % low.size();
+    writer.add_face({low[i], low[next], foot[next], foot[i]});
+    writer.add_face({foot[i], foot[next], top[next], top[i]});
+  }
+  return writer.text();
+}
+
 }  // namespace clearcut::test_support

@@ -16,4 +16,7 @@ struct SteppedSolid {
 /// AP214; every block has a top, a bottom, and walls down to its lower neighbours.
 std::string step_text(const SteppedSolid& solid);
 
+/// A block from the origin with its four upper edges broken by `chamfer` mm at 45 degrees.
+std::string broken_block_text(double width, double depth, double height, double chamfer);
+
 }  // namespace clearcut::test_support

@@ -8,6 +8,8 @@ from writer import OUT, Class, rings
 PARTS = {
     "round-floor.json": {"name": "ROUND", "units": "mm", "pockets": [
         {"name": "ROUND", "outer": [[13, 10, 1], [7, 10, 1]], "islands": [], "top": 0, "depth": 3}]},
+    "filleted.json": {"name": "FILLET", "units": "mm", "outer": [[0, 0, 0], [20, 0, 0], [20, 20, 0], [0, 20, 0]], "islands": [],
+                      "top": 0, "depth": 2, "floor_fillet": 1},
 }
 
 
@@ -104,8 +106,22 @@ def cutters():
     c.right("right-floor-by-mill", CYCLES, drilled(-3), "plunges a flat mill into a round pocket", part="round-floor.json",
             tools=["endmill:6:T1"])
 
+    # The fillet at the foot of the walls belongs to an end of its radius: others leave more, or cusps on the floor beside it.
+    def stepped(floor):
+        def change(p):
+            p.cut = rings(p.t, [1, 4, 7], z=-1) + [p.t.rapid(z=5), p.t.rapid(x=10, y=10)] + rings(p.t, [1, 4, floor])
+        return change
+    for name, mill, change in (("flat", "endmill:6", stepped(6)), ("sharp", "bullnose:6:corner=0.2", stepped(6.2)),
+                               ("large", "ball:6", cleared([1, 2, 3, 4, 5, 6, 7])), ("ball", "ball:2", cleared([1, 2.5, 4, 5.5, 7, 8, 9]))):
+        c.add(f"fillet-{name}", CYCLES, change, "CONDITIONAL", "out-of-reach", "leaves material above the fillet, or cusps beside it",
+              part="filleted.json", tools=[f"{mill}:T1"])
+    c.add("fillet-left-out", CYCLES, stepped(6), "FAULTY", "uncut", "leaves the fillet out, whose mill is given and never called",
+          part="filleted.json", tools=["endmill:6:T1", "bullnose:6:corner=1:T2"], asked={"accept": ["out-of-reach"]})
+    c.right("right-fillet", CYCLES, cleared([1, 4, 7]), "makes the fillet by an end of its radius", part="filleted.json",
+            tools=["bullnose:6:corner=1:T1"])
+
     # A ball leaves cusps on the floor, which is accepted; what it leaves above them is not.
-    for name, mill in (("ball", "ball:6"), ("cone", "chamfer:120deg:6")):
+    for name, mill in (("ball", "ball:6"), ("cone", "chamfer:110deg:6")):
         alone = {"tools": [f"{mill}:T1"], "asked": {"accept": ["out-of-reach"]}}
         c.right(f"right-{name}-alone", CYCLES, cleared([1, 4, 7]), "clears all above the cusps that its end leaves", **alone)
         c.add(f"{name}-ring", CYCLES, cleared([1, 7]), "FAULTY", "uncut", "leaves a ring between its passes", **alone)

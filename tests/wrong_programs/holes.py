@@ -93,6 +93,15 @@ def sink(z=-4.3):
     return two_tools(-13.852, "M3 S3000", lambda p: cycle(p, "G81", z, 1, 100) if z else [])
 
 
+def round_sink(z, whole=True):
+    """A hole through, and its countersink by a cone that goes round 1 mm off the axis."""
+    def blocks(p):
+        t, n = p.t, p.t.n
+        arcs = [f"G3 X{n(9)} Y{n(10)} I{n(-1)} J{n(0)} F{n(200)}"] + ([f"G3 X{n(11)} Y{n(10)} I{n(1)} J{n(0)} F{n(200)}"] if whole else [])
+        return [t.rapid(z=1), t.feed(100, z=z), t.feed(100, x=11, y=10)] + arcs + [t.feed(100, x=10, y=10), t.rapid(z=5)]
+    return two_tools(-13.852, "M3 S3000", blocks)
+
+
 def places(*blocks):
     """One cycle at 10, 10, and the words of the blocks after it, which repeat it."""
     def change(p):
@@ -126,6 +135,9 @@ def holes():
     c.add("sink-deep", CYCLES, sink(-4.32), "FAULTY", "gouge", "sinks 20 um too deep", **sunk)
     c.add("sink-shallow", CYCLES, sink(-4.25), "FAULTY", "uncut", "sinks 50 um too little", **sunk)
     c.add("sink-missing", CYCLES, sink(None), "FAULTY", "nothing-cut", "leaves the countersink out", **sunk)
+    c.right("right-sink-round", CYCLES, round_sink(-3.3), "goes round with the cone, a millimetre off the axis", **sunk)
+    c.add("sink-round-shallow", CYCLES, round_sink(-3.25), "FAULTY", "uncut", "goes round 50 um too high", **sunk)
+    c.add("sink-half-round", CYCLES, round_sink(-3.3, whole=False), "FAULTY", "uncut", "goes round by half a turn", **sunk)
     alike = {"part": "places.dxf", "tools": ["drill:5:T1"]}
     modal = CYCLES + ["mazak", "tormach"]
     c.right("right-places", modal, places("X20", "X30"), "drills three holes by one cycle", **alike)

@@ -8,6 +8,9 @@ from writer import ALL, OUT, Class, rings
 PARTS = {
     "reamed.dxf": drawing(12, ("REAM_DIA6_D8", 6)),
     "bored.dxf": drawing(12, ("BORE_DIA20_D8", 20)),
+    "pecked.dxf": drawing(16, ("DRILL_D12_PECK2", 6)),
+    "drilled-pocket.dxf": drawing(12, ("POCKET_D4", 20), ("DRILL_D9", 5)),
+    "chipped.dxf": drawing(16, ("DRILL_D12_CHIP2", 6)),
     "seat.dxf": drawing(12, ("CBORE_D4", 11), ("DRILL_D9", 6.6)),
 }
 
@@ -176,11 +179,90 @@ def takes():
               "presses a flat tip of 2 mm into solid stock", **more)
         c.right(f"right-{name}", ["linuxcnc", "haas"], pressed(kind, True), "sinks about a hole", **more)
 
+    def bore(radius, barred=None):
+        """The hole of 20 by a mill of 8 from its middle out, then the boring bar down to `barred`."""
+        def change(p):
+            t, n = p.t, p.t.n
+            p.cut = []
+            for z in (-2, -4, -6, -8):
+                p.cut += [t.rapid(x=10, y=10), t.rapid(z=z + 2.5), t.feed(100, z=z)]
+                for r in (3, radius):
+                    p.cut += [t.feed(x=10 + r, y=10), f"G3 X{n(10 + r)} Y{n(10)} I{n(-r)} J{n(0)} F{n(400)}"]
+                p.cut += [t.feed(x=10, y=10)]
+            p.after = second_tool(p, "M3 S500") + cycle(p, "G85", barred, 3, 60) if barred else []
+        return change
+
     def ream(word):
         return two_tools(-9.742, "M3 S800", lambda p: cycle(p, word, -8, 3, 100))
     reamed = {"part": "reamed.dxf", "tools": ["drill:5.8:T1", "reamer:6:T2"]}
     c.right("right-ream", CYCLES, ream("G85"), "feeds the reamer out", **reamed)
     c.add("ream-rapid", CYCLES, ream("G81"), "FAULTY", "more-than-it-cuts", "pulls the reamer out at the rapid", **reamed)
+
+    def orbit(radius, z=-8):
+        """A mill that widens a hole about 10, 10 down to z, two millimetres a turn."""
+        def blocks(p):
+            t, n = p.t, p.t.n
+            out = [t.rapid(x=10 + radius, y=10), t.rapid(z=1)]
+            for k in range(int(-z / 2)):
+                out += [t.feed(100, z=-2 * (k + 1)), f"G3 X{n(10 + radius)} Y{n(10)} I{n(-radius)} J{n(0)} F{n(300)}"]
+            return out + [t.feed(x=10, y=10), t.rapid(z=5)]
+        return blocks
+
+    def third_tool(p, spindle):
+        return [block.replace("T2", "T3").replace("H2", "H3") for block in second_tool(p, spindle)]
+    c.add("ream-milled", CYCLES, two_tools(-9.742, "M3 S4000", orbit(1)), "FAULTY", "nothing-cut",
+          "mills the hole to size and never reams it", part="reamed.dxf",
+          tools=["drill:5.8:T1", "endmill:4:T2", "reamer:6:T3"])
+    c.add("ream-shallow", CYCLES, two_tools(-9.742, "M3 S800", lambda p: cycle(p, "G85", -6, 3, 100) + [p.t.rapid(z=5)] + third_tool(p, "M3 S4000") +
+                                            orbit(1)(p)),
+          "FAULTY", "uncut", "reams the upper part and mills the rest", part="reamed.dxf",
+          tools=["drill:5.8:T1", "reamer:6:T2", "endmill:4:T3"])
+    c.add("bore-shallow", CYCLES, bore(6, -5), "FAULTY", "uncut", "mills the hole to size and bores its upper part",
+          part="bored.dxf", tools=["endmill:8:T1", "boringbar:20:T2"])
+    c.right("right-bore", CYCLES, bore(5.8, -8), "mills the hole narrower, and bores it", part="bored.dxf",
+            tools=["endmill:8:T1", "boringbar:20:T2"])
+    c.right("right-bore-milled", CYCLES, bore(6), "mills the hole to size, without a boring bar", part="bored.dxf",
+            tools=["endmill:8:T1"])
+
+    def pocket(then):
+        """The round pocket of 20 by a mill of 8, 4 mm deep, and what the second tool does in it."""
+        def change(p):
+            bore(6)(p)
+            p.cut = p.cut[:len(p.cut) // 2]
+            p.after = then(p)
+        return change
+    holed = {"part": "drilled-pocket.dxf", "tools": ["endmill:8:T1", "drill:5:T2"], "asked": {"accept": ["out-of-reach"]}}
+    c.add("hole-left-out", CYCLES, pocket(lambda p: []), "FAULTY", "nothing-cut",
+          "leaves out the hole in the pocket, whose drill is given and never called", **holed)
+    c.right("right-hole", CYCLES, pocket(lambda p: second_tool(p, "M3 S3000") + cycle(p, "G81", -9, -3, 100)),
+            "drills the hole in the pocket", **holed)
+
+    def pecks(word, q):
+        def change(p):
+            block, end = cycle(p, word, -12, 1, 200)
+            p.cut = [block + (f" Q{p.t.n(q)}" if q else ""), end]
+        return change
+    six = {"tools": ["drill:6:T1"], "accepted": ["stated-peck"]}
+    for name, word, q, part, does in (
+            ("at-once", "G81", 0, "pecked.dxf", "drills at once where pecks are stated"),
+            ("long-pecks", "G83", 3, "pecked.dxf", "takes pecks of 3 mm where 2 are stated"),
+            ("chips-kept", "G73", 2, "pecked.dxf", "breaks the chip where it is to be cleared"),
+            ("chips-unbroken", "G81", 0, "chipped.dxf", "drills at once where the chip is to be broken")):
+        c.add(name, CYCLES, pecks(word, q), "CONDITIONAL", "stated-peck", does, part=part, **six)
+    c.right("right-pecks", CYCLES, pecks("G83", 2), "clears the chips every 2 mm", part="pecked.dxf", tools=["drill:6:T1"])
+    c.right("right-chips", CYCLES, pecks("G73", 2), "breaks the chip every 2 mm", part="chipped.dxf", tools=["drill:6:T1"])
+
+    def groove(z):
+        def change(p):
+            t = p.t
+            p.cut = [t.rapid(x=-20, y=10), t.rapid(z=z), t.feed(300, x=40, y=10)]
+        return change
+    for kind, end in (("vbit:6:60deg", 5.19), ("chamfer:8:90deg:tip=1", 3.5)):
+        more = {"part": "", "tools": [kind + ":T1"], "asked": {"stock": "-10:30,-10:30,-12:0"}}
+        name = kind.split(":")[0]
+        c.add(f"shank-of-{name}", ["linuxcnc", "fanuc"], groove(-end - 2), "FAULTY", "beyond-flutes",
+              "cuts 2 mm deeper than the flanks reach, with the shank", **more)
+        c.right(f"right-flank-of-{name}", ["linuxcnc", "fanuc"], groove(-end), "cuts as deep as the flanks reach", **more)
 
     def seat(first):
         def change(p):

@@ -169,6 +169,22 @@ std::optional<MotionPlanner> planner_of_control(const ResolvedPlan& plan) {
   return dialect ? std::optional(read::gcode::planner_of(*dialect)) : std::nullopt;
 }
 
+namespace {
+
+/// Distance from corners, in ranges of wear, at which a control begins and ends the compensation of a pass: beside a corner of 30
+/// degrees the shifted pass ends 3.7 ranges before the corner.
+constexpr double kRangesFromCorners = 4;
+
+/// mm; 0: a pass that the control does not shift may begin anywhere.
+double lead_from_corners(const ResolvedPlan& plan, int workingstep) {
+  if (!plan.post.wear) return 0;
+  const auto& shifted = plan.post.wear->workingsteps;
+  const bool is_shifted = std::find(shifted.begin(), shifted.end(), workingstep) != shifted.end();
+  return is_shifted ? kRangesFromCorners * plan.post.wear->range : 0;
+}
+
+}  // namespace
+
 link::LinkOptions link_options(const ResolvedPlan& plan, int workingstep, EntryKind entry) {
   const ResolvedStep& step = plan.steps.at(static_cast<std::size_t>(workingstep));
   const Tool& tool = tool_of(plan.part, plan.part.workplan.at(static_cast<std::size_t>(workingstep)));
@@ -187,7 +203,7 @@ link::LinkOptions link_options(const ResolvedPlan& plan, int workingstep, EntryK
   link.helix_widest = step.helix_widest;
   link.helix_narrowest = step.helix_narrowest;
   link.zigzag_length = step.zigzag_length;
-  link.lead = {step.lead, step.lead_angle, plan.lead_overlap};
+  link.lead = {step.lead, step.lead_angle, plan.lead_overlap, lead_from_corners(plan, workingstep)};
   link.lead_feed = step.lead_feed;
   link.link_feed = plan.link_feed;
   link.link_lift = plan.link_lift;
@@ -433,13 +449,14 @@ void certify(PlanResult& result, const Toolpath& planned, const ResolvedPlan& pl
   result.control = std::move(read.control);
   result.findings = check(result.part, result.toolpath, result.control, read.conditions, read.dialect, plan);
   if (!plan.post.wear) return;
-  const WearQuestion question{plan.post.wear->range, plan.tol.uncut, read.compensated_tools,
-                              compensated_features(plan.part, *plan.post.wear)};
+  const WearQuestion question{plan.post.wear->range, read.compensated_tools, &result.part, &result.toolpath};
   check_wear(result.findings, question, [&](double wear) {
     read::gcode::Program shifted = read_back(result.program, planned, plan, wear);
     const Part part = worn(result.part, read.compensated_tools, wear);
     SectionNames(part).settle(shifted.toolpath);
-    return check(part, shifted.toolpath, shifted.control, shifted.conditions, shifted.dialect, plan);
+    Findings found =
+        check(part, shifted.toolpath, shifted.control, shifted.conditions, shifted.dialect, plan);
+    return WornProgram{std::move(shifted.toolpath), std::move(found)};
   });
 }
 

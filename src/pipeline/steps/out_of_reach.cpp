@@ -28,6 +28,8 @@ constexpr int kHalvings = 10;    // of the searched range of diameters
 constexpr double kSmallest = 0.1;
 /// mm; distance inside a piece's edge of the point by which the piece is identified.
 constexpr double kInside = 1e-3;
+/// mm. An end with a greater difference of radius leaves another shape than the fillet.
+constexpr double kSameRound = 0.002;
 
 double allowed_to_stay(double area) {
   return std::min(kShare * area, kCorners);
@@ -223,6 +225,9 @@ std::string end_that_leaves(const Part& part, const Feature& feature, const Feat
                             const Tolerances& tol) {
   const Tool& tool = tool_of(part, part.workplan[static_cast<std::size_t>(found.workingstep)]);
   const double flat = flat_end(tool);
+  if (outer_profile(tool).round < feature.floor_fillet - kSameRound)
+    return ", which keeps off the fillet of " + trimmed(feature.floor_fillet, 3) +
+           " mm between floor and walls; a cutter with this corner radius makes it";
   if (flat >= tool.radius()) return "";
   const std::string end = flat > 0 ? "rounds off " + trimmed(tool.radius() - flat, 3) + " mm"
                           : outer_profile(tool).round > 0 ? "ends in a ball"
@@ -232,12 +237,32 @@ std::string end_that_leaves(const Part& part, const Feature& feature, const Feat
          (left <= allowed_to_stay(area(feature.target)) ? "none" : trimmed(left, 2) + " mm2");
 }
 
-/// mm2 out of reach in a feature with a fillet between floor and walls: material left by the cutter's rounded corner
-/// belongs to the fillet.
-double left_beside_fillet(const Feature& feature, const FeatureFindings& found, const Tolerances& tol) {
-  // A ball as wide as its hole fits, too.
+/// The tool of a step on the feature whose end has the radius of the fillet between floor and walls; null if there is none.
+const Tool* fillet_tool(const Part& part, const Feature& feature) {
+  for (const Workingstep& step : part.workplan) {
+    const Tool& tool = tool_of(part, step);
+    const double round = outer_profile(tool).round;
+    if (&feature_of(part, step) == &feature && round > 0 &&
+        std::abs(round - feature.floor_fillet) < kSameRound)
+      return &tool;
+  }
+  return nullptr;
+}
+
+/// mm2 out of reach in a feature with a fillet between floor and walls: material left by a rounded corner of its radius belongs to
+/// the fillet. Sharper ends keep off it, and rounder ones leave more.
+double left_beside_fillet(const Part& part, const Feature& feature, const FeatureFindings& found,
+                          const Tolerances& tol) {
+  const double unreachable = found.figures.unreachable_mm2;
+  const Tool* tool = fillet_tool(part, feature);
+  if (!tool) return unreachable;
+  // A ball makes the fillet, but leaves cusps on the floor beside it. In a hole as wide as the ball there is no such floor.
+  if (flat_end(*tool) <= 0) {
+    const double fillet = area(feature.target) - area(inset(feature.target, feature.floor_fillet, tol));
+    return std::max(0.0, unreachable - fillet);
+  }
   const Regions swept = resolve::swept(feature.allowed, found.tool_diameter / 2 - tol.fit, 0, tol.fit, tol);
-  return std::min(found.figures.unreachable_mm2, area(subtract(feature.target, swept, tol)));
+  return std::min(unreachable, area(subtract(feature.target, swept, tol)));
 }
 
 /// Doubts of the part's reader.
@@ -353,8 +378,8 @@ std::vector<Condition> out_of_reach(const Part& part, const Findings& findings, 
     // Tabs do not count in the area of which the share is computed.
     const Feature* above = above_tabs(feature, part);
     const double whole = area(above ? above->target : feature.target);
-    const double left =
-        feature.floor_fillet > 0 ? left_beside_fillet(feature, found, tol) : found.figures.unreachable_mm2;
+    const double left = feature.floor_fillet > 0 ? left_beside_fillet(part, feature, found, tol)
+                                                 : found.figures.unreachable_mm2;
     if (left <= allowed_to_stay(whole) || is_said_above_tabs(found, part, findings)) continue;
     std::string text = feature.name + ": " + trimmed(left, 2) + " of " + trimmed(whole, 2) +
                        " mm2 are out of the reach of T" + std::to_string(found.tool_number) + " (" +

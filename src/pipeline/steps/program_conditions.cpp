@@ -207,16 +207,43 @@ bool is_known(const std::vector<Fault>& faults, const Fault& fault) {
   });
 }
 
-bool counts(const Fault& fault, const WearQuestion& question) {
-  if (fault.kind == FaultKind::kUncut && fault.size <= 2 * question.range + question.uncut) return false;
-  return question.features.empty() || fault.feature.empty() || question.features.contains(fault.feature);
+/// Has the steps of a tool clear what the tool reaches with its present size, whatever becomes of the tool: they get a copy of it, with
+/// its number, behind the tool that programs call.
+void keep_reach(Part& part, int tool) {
+  part.tools.push_back(part.tools[static_cast<std::size_t>(tool)]);
+  for (Workingstep& step : part.workplan) {
+    if (step.operation.tool == tool) step.operation.tool = static_cast<int>(part.tools.size()) - 1;
+  }
+}
+
+bool moves_alike(const Section& a, const Section& b) {
+  return std::equal(a.moves.begin(), a.moves.end(), b.moves.begin(), b.moves.end(),
+                    [](const Move& one, const Move& other) { return one.path == other.path; });
+}
+
+/// Names of the features whose passes are not where they were; empty if nobody knows whose they are.
+std::set<std::string> shifted_features(const WearQuestion& question, const Toolpath& shifted) {
+  const auto& before = question.toolpath->sections;
+  if (before.size() != shifted.sections.size()) return {};
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (moves_alike(before[i], shifted.sections[i])) continue;
+    if (before[i].workingstep < 0) return {};
+    const auto step = static_cast<std::size_t>(before[i].workingstep);
+    names.insert(feature_of(*question.part, question.part->workplan[step]).name);
+  }
+  return names;
 }
 
 }  // namespace
 
 Part worn(Part part, const std::vector<int>& numbers, double wear) {
-  for (Tool& tool : part.tools)
-    if (std::find(numbers.begin(), numbers.end(), tool.number) != numbers.end()) tool.diameter += 2 * wear;
+  const std::size_t count = part.tools.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (std::find(numbers.begin(), numbers.end(), part.tools[i].number) == numbers.end()) continue;
+    if (wear < 0) keep_reach(part, static_cast<int>(i));
+    part.tools[i].diameter += 2 * wear;
+  }
   return part;
 }
 
@@ -224,28 +251,23 @@ double wear_range_of(const ShopOptions& shop) {
   return shop.wear_range.value_or(kUsualWearRange);
 }
 
-std::set<std::string> compensated_features(const Part& part, const WearCompensation& wear) {
-  std::set<std::string> names;
-  for (const int step : wear.workingsteps)
-    names.insert(feature_of(part, part.workplan[static_cast<std::size_t>(step)]).name);
-  return names;
-}
-
 void check_wear(Findings& findings, const WearQuestion& question,
-                const std::function<Findings(double)>& found_at) {
+                const std::function<WornProgram(double)>& read_at) {
   if (question.tools.empty()) return;
   findings.wear = WearFindings{question.range, question.tools};
   const std::vector<Fault> known = findings.faults;
   for (const double wear : {-question.range, question.range}) {
     const std::string end = "with " + trimmed(wear, 4) + " mm in D and cutters as much off their size: ";
-    Findings found;
+    WornProgram worn;
     try {
-      found = found_at(wear);
+      worn = read_at(wear);
     } catch (const InputError& error) {
       throw InputError("--wear-range", end + error.what() + "; give a smaller range");
     }
-    for (Fault fault : found.faults) {
-      if (!counts(fault, question) || is_known(known, fault)) continue;
+    const std::set<std::string> shifted = shifted_features(question, worn.toolpath);
+    for (Fault fault : worn.findings.faults) {
+      const bool counts = shifted.empty() || fault.feature.empty() || shifted.contains(fault.feature);
+      if (!counts || is_known(known, fault)) continue;
       fault.text = end + fault.text;
       findings.faults.push_back(std::move(fault));
     }

@@ -60,21 +60,22 @@ double wear_range_of(const ShopOptions& shop);
 
 /// What is asked of a program whose control compensates for wear.
 struct WearQuestion {
-  double range = 0;        ///< mm that D words may be off 0 either way
-  double uncut = 0;        ///< mm, what may be left with a new tool
-  std::vector<int> tools;  ///< T words whose paths are compensated
-  /// Whose paths are compensated; empty: nobody knows, so that all count.
-  std::set<std::string> features;
+  double range = 0;                    ///< mm that D words may be off 0 either way
+  std::vector<int> tools;              ///< T words whose paths are compensated
+  const Part* part = nullptr;          ///< with the sections' workingsteps
+  const Toolpath* toolpath = nullptr;  ///< with 0 in D
+};
+
+/// A program as it is read with other D words, and what is found about it with cutters as much off their size.
+struct WornProgram {
+  Toolpath toolpath;
+  Findings findings;
 };
 
 /// Adds what is wrong at either end of the range alone, where cutters are off their size by as much as D words hold, and says for
-/// which range the findings hold. Swaths of a smaller cutter are narrower by twice the range: what stays between them of passes that
-/// are not compensated, and in corners, is no fault up to that. `found_at`: the findings about the program with these D words;
-/// the message of an InputError that it throws gets the end of the range.
+/// which range the findings hold. Faults of features whose passes no D word shifts are not added: their cutters may not be off their
+/// size. `read_at`: the program with these D words; the message of an InputError that it throws gets the end of the range.
 void check_wear(Findings& findings, const WearQuestion& question,
-                const std::function<Findings(double)>& found_at);
-
-/// Names of the features whose passes are compensated.
-std::set<std::string> compensated_features(const Part& part, const WearCompensation& wear);
+                const std::function<WornProgram(double)>& read_at);
 
 }  // namespace clearcut::pipeline

@@ -76,6 +76,20 @@ bool is_free_above(const Part& part, const Feature& feature, const plan::RoundOn
   return stands.empty();
 }
 
+/// mm by which the cutter of a step may be off its path or its size: by the machine's error that the plan has to hold for, or by the
+/// wear that the control is told for passes along the walls alone, while the cutter of all other passes of the feature is as worn.
+double off_path(int index, const ResolvedPlan& plan) {
+  const double error = plan.margin ? plan.margin->at_least : 0;
+  if (!plan.post.wear) return error;
+  const auto& step = plan.part.workplan[static_cast<std::size_t>(index)];
+  const std::vector<int>& shifted = plan.post.wear->workingsteps;
+  const bool is_shifted = std::find(shifted.begin(), shifted.end(), index) != shifted.end();
+  const bool wears = std::any_of(shifted.begin(), shifted.end(), [&](int other) {
+    return plan.part.workplan[static_cast<std::size_t>(other)].feature == step.feature;
+  });
+  return wears && !is_shifted ? std::max(error, plan.post.wear->range) : error;
+}
+
 /// The layers of one workingstep over which something still stands. Open features cut only that, and pockets of which
 /// nothing but stock of earlier work is left; in others the walls bound every pass, so the whole layer is cut.
 std::vector<Layer> standing_layers(int index, const ResolvedPlan& plan, double reserve_share) {
@@ -86,8 +100,8 @@ std::vector<Layer> standing_layers(int index, const ResolvedPlan& plan, double r
   const double reserve = reserve_share * reserve_for_digits(plan);
   // A cutter that may be off its path certainly clears the area of a narrower one, with a correspondingly greater
   // distance from the walls.
-  const double off = plan.margin ? plan.margin->at_least : 0, spared = plan.margin ? plan.margin->stock() : 0;
-  const double narrower = std::min(off, tool_of(part, step).radius() / 4);
+  const double spared = plan.margin ? plan.margin->stock() : 0;
+  const double narrower = std::min(off_path(index, plan), tool_of(part, step).radius() / 4);
   operation.allowance_side += std::max(reserve, spared) + narrower;
   operation.allowance_floor += std::max(printing_reserve(post::rounding_of_heights(plan.post), plan), spared);
   const Tool& tool = tool_of(part, step);
@@ -145,17 +159,40 @@ bool finishes(const Operation& operation) {
 /// mm. Greatest stock finished by one pass along the walls, as a share of the cutter's diameter.
 constexpr double kThinStock = 0.5;
 
+/// Calls f with the earlier milling steps of the step's feature, in their order.
+template <typename F>
+void for_earlier_steps(const Workingstep& step, const Part& part, F&& f) {
+  for (const Workingstep& other : part.workplan) {
+    if (&other == &step) break;
+    if (other.feature == step.feature && clears_floors(tool_of(part, other))) f(other);
+  }
+}
+
+/// mm, more than a step leaves on walls, that an earlier one has left there.
+double stock_between(const Workingstep& earlier, const Workingstep& step) {
+  return earlier.operation.allowance_side - step.operation.allowance_side;
+}
+
+/// What earlier steps with a cutter that reaches no less have cleared beside the walls that the step finishes.
+void add_room_of_earlier_steps(Layer& layer, const Workingstep& step, const Part& part) {
+  for_earlier_steps(step, part, [&](const Workingstep& earlier) {
+    const bool reaches_less = tool_of(part, earlier).radius() > tool_of(part, step).radius() + kSamePlaceMm;
+    const double lowest = feature_of(part, earlier).floor_z + earlier.operation.allowance_floor;
+    if (reaches_less || lowest > layer.z + kRoundingMm) return;
+    const double stock = std::max(0.0, stock_between(earlier, step));
+    layer.cleared_beyond = std::min(layer.cleared_beyond.value_or(stock), stock);
+    layer.room_beside = std::max(layer.room_beside, stock);
+  });
+}
+
 /// Whether a pass along the walls would exceed the limit of engagement in their corners. Between passes of the same width nothing is
 /// left.
 bool is_over_limit_along_walls(const Workingstep& step, const Regions& left, const Layer& layer,
                                const ResolvedPlan& plan) {
   if (!plan.engagement_deg || left.empty()) return false;
-  double stock = 0;  // mm that earlier steps leave
-  for (const Workingstep& other : plan.part.workplan) {
-    if (&other == &step) break;
-    if (other.feature != step.feature || !clears_floors(tool_of(plan.part, other))) continue;
-    stock = other.operation.allowance_side - step.operation.allowance_side;
-  }
+  double stock = 0;  // mm that the last earlier step leaves
+  for_earlier_steps(step, plan.part,
+                    [&](const Workingstep& earlier) { stock = stock_between(earlier, step); });
   return stock > plan.tol.uncut && plan::engagement_along_walls(layer.allowed, layer.tool_radius, stock) >
                                        Radians::of_degrees(*plan.engagement_deg).radians();
 }
@@ -217,6 +254,8 @@ std::vector<LayerLeft> layers_left(const std::vector<Layer>& layers, int index, 
       one.walls_only =
           finishing && is_wall_finishing(step, feature_of(part, step), left, last, one.layer, plan);
       if (!one.walls_only) one.layer.target = left, one.layer.rest = true;
+      if (step.operation.kind == OperationKind::kSideFinishing)
+        add_room_of_earlier_steps(one.layer, step, part);
       one.rest = true;
     }
     if (!one.layer.target.empty()) out.push_back(std::move(one));

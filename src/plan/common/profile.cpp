@@ -19,6 +19,8 @@ constexpr double kOnContour = 1e-3;
 /// Slightly more than the play of the kerf.
 constexpr double kBesideContour = 0.02;
 constexpr double kBesideSpare = 0.02;
+/// Leads begin as far beside the contour as there is room, and half as far from the edge of their area.
+constexpr double kRoomOfLeads = 1.5;
 /// mm. Passes along a line end this much before the cutter touches a square tab.
 constexpr double kBesideTab = 0.002;
 /// mm2. Greatest area of specks left by a boolean of areas that only touch.
@@ -69,10 +71,12 @@ void add_runs(const Loop& loop, const Path& line, double reach, LayerPasses& res
 }
 
 /// Legal area of the centre on its links to the passes: in acute corners, in which the kerfs of two sides merge,
-/// there is room beside the contour, but only material in one of the kerfs is cut there.
-Regions along_contour(const Region& inside, const ProfileCut& cut, double reach, double radius,
+/// there is room beside the contour, but only material in one of the kerfs is cut there. `room`: mm, that earlier steps have cut
+/// beside the contour.
+Regions along_contour(const Region& inside, const ProfileCut& cut, double reach, double radius, double room,
                       const Tolerances& tol) {
-  const Regions beside = features::kerf_of(cut, reach + kBesideContour * radius + kBesideSpare, tol);
+  const double spare = kBesideContour * radius + kBesideSpare;
+  const Regions beside = features::kerf_of(cut, reach + kRoomOfLeads * room + spare, tol);
   if (area(subtract({inside}, beside, tol)) < kProfileSpeck) return {inside};
   return intersect({inside}, beside, tol);
 }
@@ -155,7 +159,7 @@ LayerPasses plan_profile(const Layer& layer, const ProfileCut& cut, const Tolera
     for (const Region& inside : safe_inset(clearance, region, reach, tol)) {
       add_runs(inside.outer(), cut.line, reach, result);
       for (const Loop& island : inside.islands()) add_runs(island, cut.line, reach, result);
-      for (Region& room : along_contour(inside, cut, reach, layer.tool_radius, tol))
+      for (Region& room : along_contour(inside, cut, reach, layer.tool_radius, layer.room_beside, tol))
         result.legal.push_back(std::move(room));
     }
     for (const Path& line : clearance.fit_lines(reach, layer.reserve)) {

@@ -541,8 +541,10 @@ class ProgramWriter {
           "BLOCK", {"'stock'", p21_placement(out_, common_, s.plan.min, s.z_bottom), p21_real(s.plan.width()),
                     p21_real(s.plan.height()), p21_real(s.z_top - s.z_bottom)});
     }
+    const auto& stated = first.part->material;
+    const std::string material = stated ? out_.add("MATERIAL", {"''", p21_string(*stated), "()"}) : kUnset;
     out_.put(id, "WORKPIECE",
-             {"'workpiece'", kUnset, kUnset, kUnset, kUnset, block, p21_list(clamping_positions())});
+             {"'workpiece'", material, kUnset, kUnset, kUnset, block, p21_list(clamping_positions())});
   }
 
   /// Of all set-ups, in the coordinates of the workpiece.

@@ -201,6 +201,27 @@ bool is_hole_at(const Feature& feature, Vec2 center, double radius, const Tolera
   return round && distance(round->center, center) < kSameEnd && std::abs(round->radius - radius) < kSameEnd;
 }
 
+bool has_point_in(const Cell& cell, const Feature& feature) {
+  return std::any_of(cell.inside.begin(), cell.inside.end(),
+                     [&](Vec2 p) { return contains(feature.target, p); });
+}
+
+/// Whether a tool that makes a countersink `wide` mm in radius at its top keeps its tip within the hole of `radius` mm: a
+/// hole's conical end has room for a part of the tip.
+bool clears_end(const Tool& tool, double wide, double top, const Feature& hole, double radius,
+                const SolidWork& work) {
+  if (hole.through) return true;
+  const double tip = tool.tip_diameter / 2;
+  const double tip_z = top - (wide - tip) / base::tan(tool.tip_angle->radians() / 2);
+  double end = hole.floor_z;
+  for (const Cell& cell : work.cells)
+    if (cell.floor && std::abs(cell.z - hole.floor_z) < kSameEnd && has_point_in(cell, hole))
+      end = std::min(end, work.solid.faces[static_cast<std::size_t>(cell.face)].z_low);
+  if (tip_z >= hole.floor_z - kSameEnd) return true;
+  if (tip_z < end) return false;
+  return tip <= radius * (tip_z - end) / (hole.floor_z - end);
+}
+
 std::string faces_text(const std::set<int>& numbers) {
   std::string text = numbers.size() == 1 ? "face " : "faces ";
   for (auto first = numbers.begin(); first != numbers.end();) {
@@ -225,11 +246,13 @@ std::optional<Feature> edge_over(const LeaningFaces& group, const Foot& foot, bo
   const auto radius = circle_of(foot.line);
   if (radius && open_inside) {
     const Vec2 center = foot.line.front().center;
-    const bool is_hole = std::any_of(work.found.begin(), work.found.end(), [&](const Feature& feature) {
+    const auto hole = std::find_if(work.found.begin(), work.found.end(), [&](const Feature& feature) {
       return is_hole_at(feature, center, *radius, tol);
     });
-    const auto is_wide = [&](const Tool& tool) {
-      return tool.diameter > 2 * (*radius + width) - kSameEnd && tool.tip_diameter < 2 * *radius - kSameEnd;
+    const bool is_hole = hole != work.found.end();
+    const auto sinks = [&](const Tool& tool) {
+      return tool.diameter > 2 * (*radius + width) - kSameEnd && tool.tip_diameter < 2 * *radius - kSameEnd &&
+             clears_end(tool, *radius + width, group.top, *hole, *radius, work);
     };
     // Without its hole a cone has nothing to be about.
     const bool is_made = std::any_of(work.tools.begin(), work.tools.end(), [&](const Tool& tool) {
@@ -237,7 +260,7 @@ std::optional<Feature> edge_over(const LeaningFaces& group, const Foot& foot, bo
              (mills_upright(tool) && tool.diameter < 2 * *radius);
     });
     if (is_hole && !is_made) return std::nullopt;
-    if (is_hole && any_tool(is_wide)) return countersink_over(group, center, *radius + width);
+    if (is_hole && any_tool(sinks)) return countersink_over(group, center, *radius + width);
   }
   const auto goes_along = [&](const Tool& tool) {
     return tool.kind != ToolKind::kSpotDrill && depth <= flank_height(tool) + kSameEnd;
@@ -285,11 +308,6 @@ Regions standing_beside(const FilletCells& group, const SolidWork& work, const T
     standing = standing.empty() ? cell.area : unite(standing, cell.area, tol);
   }
   return standing;
-}
-
-bool has_point_in(const Cell& cell, const Feature& feature) {
-  return std::any_of(cell.inside.begin(), cell.inside.end(),
-                     [&](Vec2 p) { return contains(feature.target, p); });
 }
 
 /// The feature cut by a rounded end in one area already cut down to the top of the fillets.

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "geometry/contours/boolean.h"
 #include "geometry/region.h"
 
@@ -72,6 +74,26 @@ TEST(BrokenEdges, AWideConeSinksIntoAHoleAndANarrowOneGoesRoundIt) {
   ASSERT_EQ(round.features.size(), 1u);
   ASSERT_TRUE(round.features[0].chamfer);
   EXPECT_NEAR(round.features[0].chamfer->depth, 1, 1e-9);
+}
+
+/// The tip of the countersink lies 4 mm below its top.
+TEST(BrokenEdges, AConeSinksOnlyIntoHolesThatAreDeepEnoughForItsTip) {
+  const std::vector<Tool> tools{mill(ToolKind::kDrill, 6, 0), cone(ToolKind::kSpotDrill, 90, 10)};
+  ChamferedHole part;
+  for (const auto& [floor, sunk] : {std::pair(-4.5, 1U), std::pair(-3.5, 0U)}) {
+    part.found[0].floor_z = floor;
+    EXPECT_EQ(part.with(tools).features.size(), sunk) << floor;
+  }
+  SolidFace end;
+  end.number = 2;
+  end.surface = "cone";
+  end.facing = Facing::kUp;
+  end.z_low = -5.3;
+  end.z_high = -3.5;
+  part.solid.faces.push_back(end);
+  const std::vector<Cell> cells{{1, -3.5, true, {}, part.found[0].target, {{20, 20}}}};
+  const ShapedFaces pointed = broken_edges_of({part.solid, cells, part.found, kBlock, tools}, Tolerances{});
+  EXPECT_EQ(pointed.features.size(), 1U) << "the drill's point is deep enough";
 }
 
 TEST(BrokenEdges, WithoutAConeOfTheirAngleTheyAreLeftAndOneIsProposed) {

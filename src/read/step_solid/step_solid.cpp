@@ -177,12 +177,14 @@ class Finder {
         has_other_setups_(options.solid.has_other_setups),
         map_(solid, file_name, options.tol) {}
 
-  /// Whether there is anything to mill.
+  /// Finds floors and through openings; whether there are any.
   bool find();
+  /// Adds features made by cutters' own shapes; whether there is anything to mill.
+  bool shape_faces();
   /// The reason if no feature is found.
   std::string why_nothing() const;
   Part part(bool stated_stock);
-  /// Adds features made by cutters' own shapes, and applies the requested operations.
+  /// Applies the requested operations.
   void take_asked();
 
  private:
@@ -195,9 +197,9 @@ class Finder {
   std::vector<int> floors_in(const Region& region, double z) const;
   void add_area(const Region& target, const Region& allowed, bool open, double z);
   double point_below(const Feature& hole) const;
+  bool is_pierced(const Feature& hole, double point) const;
   FeatureKind kind_of(const Region& target, bool open, bool through) const;
   void leave_out_thin();
-  void shape_faces();
   void doubt(const std::string& what);
   void report_hidden_floors();
   void report_left_out();
@@ -228,6 +230,7 @@ class Finder {
   Part part_;
   std::vector<Feature> found_;
   std::vector<std::string> flat_drilled_;  ///< holes with a flat floor that a drill ends with its cone
+  std::vector<std::string> pierced_;       ///< holes whose drill goes through the solid below a flat floor
   std::vector<std::string> flat_cones_;    ///< holes that end in a cone, cut flat without a drill
   std::vector<std::string>
       other_points_;         ///< holes that end in another cone than that of their drill's point
@@ -250,7 +253,9 @@ bool Finder::find() {
 }
 
 std::string Finder::why_nothing() const {
-  if (deepest_thin_ <= 0) return "no floor looks up and nothing goes through";
+  std::string tools;
+  for (const std::string& one : proposals_) tools += "; " + one;
+  if (deepest_thin_ <= 0) return "no floor looks up and nothing goes through" + tools;
   return "its floors lie at most " + trimmed(deepest_thin_, 5) +
          " mm below what is around them, too little for a cut, and nothing goes through (is its unit right?)";
 }
@@ -433,17 +438,17 @@ void Finder::leave_out_thin() {
   }
 }
 
-void Finder::shape_faces() {
+bool Finder::shape_faces() {
   const SolidWork work{solid_, map_.cells(), found_, stock_, options_.solid.tools};
   for (ShapedFaces made : {broken_edges_of(work, tol_), fillets_of(work, tol_)}) {
     shaped_.merge(made.faces);
     proposals_.insert(proposals_.end(), made.proposals.begin(), made.proposals.end());
     std::move(made.features.begin(), made.features.end(), std::back_inserter(found_));
   }
+  return !found_.empty();
 }
 
 void Finder::take_asked() {
-  shape_faces();
   name_features(found_);
   if (!options_.layer_rules.empty()) {
     apply_operations(found_, stock_, options_, asked_);
@@ -482,11 +487,24 @@ void Finder::end_holes() {
   }
 }
 
+/// Whether a face of the solid lies within the cone that a point of this length, mm, cuts below the hole's flat floor.
+/// Faces count as their boxes in plan view.
+bool Finder::is_pierced(const Feature& hole, double point) const {
+  const Vec2 center = box(hole.target).center();
+  const double radius = *hole.hole_diameter / 2;
+  return std::any_of(solid_.faces.begin(), solid_.faces.end(), [&](const SolidFace& face) {
+    if (face.z_low > hole.floor_z - kSameHeight || face.z_high < hole.floor_z - point) return false;
+    const double below = std::max(0.0, hole.floor_z - face.z_high);
+    return face.plan.distance_to(center) < radius * (1 - below / point) - kSlack;
+  });
+}
+
 /// A cone at the hole's end is made by the point of the hole's drill: the hole has its full width down to where the cone begins. A drill
 /// without a stated angle ends with its point on a flat floor, and leaves its cone there.
 void Finder::end_hole(Feature& hole, const SolidFace& floor) {
   const Tool* const drill = drill_of(hole);
   if (floor.level) {
+    if (drill && drill->tip_angle && is_pierced(hole, point_length(*drill))) pierced_.push_back(hole.name);
     if (!drill || drill->tip_angle) return;
     flat_drilled_.push_back(hole.name);
     point_left_ = std::max(point_left_, point_length(*drill));
@@ -510,6 +528,10 @@ void Finder::report_hole_ends() {
           " is flat and keeps the cone of a drill's point, up to " + trimmed(point_left_, 3) +
           " mm high; --op pocket:" + flat_drilled_.front() +
           " mills it, and a drill with its angle stated (:118deg) goes deeper by its point");
+  if (!pierced_.empty())
+    doubt("below the flat floor of " + some_of(pierced_) +
+          " the point of the drill goes through what is left of the solid; --op pocket:" + pierced_.front() +
+          " mills the floor");
   if (!flat_cones_.empty())
     doubt("the cone at the end of " + some_of(flat_cones_) +
           " is not cut: the hole ends flat where it begins; a drill as wide as the hole makes it");
@@ -703,9 +725,11 @@ Part read_step_solid(std::string_view text, const std::string& file_name, const 
     refuse_askew(solid, file_name);
   }
   Finder finder(solid, file_name, options);
-  if (!finder.find() && !how.is_stock)
-    refuse_without_floor(solid, file_name, how.up, finder.why_nothing(), offers);
-  if (!how.is_stock) finder.take_asked();
+  finder.find();
+  if (!how.is_stock) {
+    if (!finder.shape_faces()) refuse_without_floor(solid, file_name, how.up, finder.why_nothing(), offers);
+    finder.take_asked();
+  }
   Part part = finder.part(how.stock.has_value());
   part.is_solid = true;
   if (options.unit || options.depth || options.top || !options.layers.empty()) {

@@ -157,6 +157,43 @@ TEST(StepNcOutsideProfiles, OfOpenRectanglesLeaveWhatIsBetweenTheirSides) {
   EXPECT_THAT(conditions_of(part), IsEmpty());
 }
 
+TEST(StepNcOutsideProfiles, ThatEndInsideTheStockAreOpenedOnACondition) {
+  Program p;
+  p.feature("PARTIAL_CIRCULAR_SHAPE_PROFILE('P',#3,(#30),#21,#23,$,$,$,#70)")
+      .with(70, "PARTIAL_CIRCULAR_PROFILE($,#71,3.141592653589793)")
+      .with(71, "TOLERANCED_LENGTH_MEASURE(30.,$)");
+  const Part across = p.with(22, "CARTESIAN_POINT('',(50.,0.,0.))").read();
+  EXPECT_NEAR(area(across.features[0].target), 100 * 80 - kPi / 2 * 900, 1e-6);
+  EXPECT_THAT(conditions_of(across), IsEmpty());
+  const Part inside = p.with(22, "CARTESIAN_POINT('',(50.,10.,0.))").read();
+  EXPECT_THAT(conditions_of(inside), ElementsAre(HasSubstr("it is opened straight to the nearest edge")));
+}
+
+/// A slot of 60 x 12 along x.
+Program slot_with_ends(const std::string& ends) {
+  Program p;
+  p.feature("SLOT('SLOT',#3,(#30),#70,#23,#72,#73," + ends + ")");
+  p.with(70, "AXIS2_PLACEMENT_3D('',#71,$,$)").with(71, "CARTESIAN_POINT('',(20.,40.,0.))");
+  p.with(72, "LINEAR_PATH($,#63,$)").with(73, "SQUARE_U_PROFILE($,#74,$,$,$,$)");
+  p.with(74, "TOLERANCED_LENGTH_MEASURE(12.,$)").with(75, "RADIUSED_SLOT_END_TYPE()");
+  return p.with(76, "WOODRUFF_SLOT_END_TYPE(#74)").with(77, "LOOP_SLOT_END_TYPE()");
+}
+
+TEST(StepNcSlots, WithOneEndHaveItAtBothOnACondition) {
+  const Part both = slot_with_ends("(#75,#75)").read(), one = slot_with_ends("(#75)").read();
+  EXPECT_NEAR(area(both.features[0].target), 720 + kPi * 36, 1e-3);
+  EXPECT_THAT(conditions_of(both), IsEmpty());
+  EXPECT_NEAR(area(one.features[0].target), 720 + kPi * 36, 1e-3);
+  EXPECT_THAT(conditions_of(one), ElementsAre(HasSubstr("it is taken for both ends")));
+}
+
+TEST(StepNcSlots, LoseNoEndThatTheFileStates) {
+  EXPECT_THAT(slot_with_ends("(#76)").error(), HasSubstr("WOODRUFF_SLOT_END_TYPE: this end of a slot"));
+  EXPECT_THAT(slot_with_ends("(#75,#75,#76)").error(), HasSubstr("more than two end conditions"));
+  EXPECT_THAT(conditions_of(slot_with_ends("(#77)").read()),
+              ElementsAre(HasSubstr("does not come back to its begin")));
+}
+
 TEST(StepNcOpenPockets, AreClosedByTheirWallsWhereThoseMeetTheOpenSide) {
   Program p;
   p.feature("OPEN_POCKET('OPEN',#3,(#30),#21,#23,(),$,#26,$,$,#70,#76)").with(70, "GENERAL_PROFILE($,#71)");

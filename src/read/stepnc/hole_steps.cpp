@@ -4,6 +4,7 @@
 
 #include "base/elementary.h"
 #include "base/text.h"
+#include "features/standing.h"
 #include "read/stepnc/operation.h"
 #include "read/stepnc/reader.h"
 
@@ -82,13 +83,19 @@ struct ThroughEnd {
   double over = 0;    ///< how far over the underside of the stock its width ends nevertheless
 };
 
-/// The hole has its width down to the underside if the drill's point goes below it, as far as its flutes allow. Nothing where the hole ends
-/// elsewhere, because the point would cut what lies below it.
-ThroughEnd end_of_through_hole(const Feature& hole, const Tool& tool, const std::optional<Stock>& stock) {
+/// The hole has its width down to the underside if the drill's point goes below it, as far as its flutes allow after the
+/// steps so far. Nothing where the hole ends elsewhere, because the point would cut what lies below it.
+ThroughEnd end_of_through_hole(const Part& part, const Feature& hole, const Tool& tool,
+                               const Tolerances& tol) {
+  const std::optional<Stock>& stock = part.stock;
   if (!hole.through || tool.kind != ToolKind::kDrill || !stock || hole.floor_z > stock->z_bottom + kLevel)
     return {};
   const double whole = std::max(0.0, hole.floor_z - (stock->z_bottom - point_length(tool)));
-  const double room = tool.flute_length ? *tool.flute_length - (stock->z_top - hole.floor_z) : whole;
+  const bool reaches = !tool.flute_length || *tool.flute_length >= stock->z_top - hole.floor_z + whole;
+  const double room = reaches
+                          ? whole
+                          : *tool.flute_length + hole.floor_z -
+                                features::top_beside_tool(part, part.workplan.size(), hole.target, tool, tol);
   const double beyond = std::min(whole, std::max(0.0, room));
   return {beyond, whole - beyond};
 }
@@ -106,7 +113,7 @@ int Reader::hole_for(std::size_t index, const StatedOperation& stated, const Nod
   fit_to_tool(hole, draft, tool);
   const double full = hole.top_z - hole.floor_z;
   const bool is_narrower = makes_holes(tool) && tool.diameter < *hole.hole_diameter - context_.tol.fit;
-  const ThroughEnd end = is_narrower ? ThroughEnd{} : end_of_through_hole(hole, tool, part_.stock);
+  const ThroughEnd end = is_narrower ? ThroughEnd{} : end_of_through_hole(part_, hole, tool, context_.tol);
   const double depth = stated.depth.value_or(full + end.beyond);
   if (!stated.depth && end.over > kLevel)
     context_.diagnostics.doubt(context_.file.place(node.line()), kNotFollowed,

@@ -201,6 +201,24 @@ TEST(StepNcCompound, CuttersTakeWhatTheyFitInto) {
   EXPECT_EQ(part.features[1].top_z, -3);
 }
 
+/// 21 mm of flutes bring all of a point 3 mm long below the block, 20 mm high, if the counterbore is cut first.
+TEST(StepNcCompound, FlutesReachToTheFloorOfTheWiderHoleThatWasCutBefore) {
+  Program program = with_counterbore();
+  program.with(44, "THROUGH_BOTTOM_CONDITION()")
+      .with(25, "CARTESIAN_POINT('',(0.,0.,-17.))")
+      .with(33, "MILLING_TOOL_DIMENSION(6.,1.5707963267948966,$,21.,$,$,$)")
+      .with(11, "MACHINING_WORKINGSTEP('MILL',#7,#20,#70,$)")
+      .with(70, "BOTTOM_AND_SIDE_ROUGH_MILLING($,$,'OP',2.,$,#71,#34,#35,$,$,$,$,2.,$,$,$)")
+      .with(71, "MILLING_CUTTING_TOOL('T6',#72,(),$,$,$)")
+      .with(72, "ENDMILL(#73,3,.RIGHT.,$,$)")
+      .with(73, "MILLING_TOOL_DIMENSION(10.,$,$,25.,0.,$,$)");
+  const Part after = program.with(2, "WORKPLAN('MAIN',(#11,#10),$,#4,$)").read();
+  EXPECT_NEAR(feature_of(after, after.workplan[1]).floor_z, -23, 1e-6);
+  const Part before = program.with(2, "WORKPLAN('MAIN',(#10,#11),$,#4,$)").read();
+  EXPECT_NEAR(feature_of(before, before.workplan[0]).floor_z, -21, 1e-6);
+  EXPECT_THAT(all_diagnostics(before), HasSubstr("its width down to 2 mm over the underside"));
+}
+
 /// What an element lists as its own operation goes before what fits.
 TEST(StepNcCompound, ElementsNameTheirOperations) {
   const Part part = with_counterbore().with(46, "ROUND_HOLE('',#3,(#30),$,#47,#62,$,#44)").read();

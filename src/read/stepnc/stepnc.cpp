@@ -393,11 +393,11 @@ void Reader::tell_what_is_read() {
   for (const auto& [over, of] : planes) text += (text.empty() ? "" : "; ") + over + " (" + of + ")";
   if (!text.empty())
     context_.diagnostics.note(context_.file.name, "retract planes as read, mm over the features: " + text);
-  tell_material();
+  take_material();
 }
 
-/// Where an operation states no feed or no speed, and the file the material: how those of the material are had.
-void Reader::tell_material() {
+/// Where an operation states no feed or no speed, those for the workpiece's material count, unless the user states another.
+void Reader::take_material() {
   if (!program_.workpiece || program_.workpiece->unset(1)) return;
   const std::string stated = program_.workpiece->shown(1);
   const std::string material = recognised_material(stated);
@@ -409,11 +409,19 @@ void Reader::tell_material() {
     of += (of.empty() ? "" : ", ") + step.operation.source;
   }
   if (of.empty()) return;
-  const std::string remedy =
-      !material.empty()
-          ? "--material " + material + " has those of the workpiece's material"
-          : "none of the materials of --material is recognised in " + stated + "; choose one, or give both";
-  context_.note("no feed or no speed is stated for " + of + "; " + remedy, *program_.workpiece);
+  if (material.empty()) {
+    context_.note("no feed or no speed is stated for " + of +
+                      "; none of the materials of --material is recognised in " + stated +
+                      "; choose one, or give both",
+                  *program_.workpiece);
+    return;
+  }
+  part_.material = material;
+  const Node entity = program_.workpiece->needed_ref(1, "material");
+  for (std::size_t i = 0; i < 2; ++i) entity.use(i);
+  context_.note("no feed or no speed is stated for " + of + "; without --material they are those for " +
+                    material + ", by " + stated + " (line " + std::to_string(entity.line()) + ")",
+                *program_.workpiece);
 }
 
 /// Of a pattern or compound: what could be made of it.

@@ -379,17 +379,27 @@ TEST(StepNc, WhereFeedsAreMissingAMaterialThatIsNotRecognisedIsNamed) {
   EXPECT_THAT(all_diagnostics(p.read()), ::testing::Not(HasSubstr("--material")));
   p.with(34, "MILLING_TECHNOLOGY($,.TCP.,$,-100.,$,$,$,$,$)");
   EXPECT_THAT(all_diagnostics(p.read()), HasSubstr("none of the materials of --material is recognised in"));
+  EXPECT_FALSE(p.read().material);
 }
 
-TEST(StepNc, WhereFeedsAreMissingTheMaterialIsNamedThatHasThem) {
+TEST(StepNc, TheMaterialCountsWhereAFeedOrASpeedIsMissing) {
   Program p;
   p.with(3, "WORKPIECE('WP',#91,$,$,$,#5,())").with(91, "MATERIAL('6061','Aluminium',())");
-  EXPECT_THAT(all_diagnostics(p.read()), ::testing::Not(HasSubstr("--material")));
-  p.with(30, "BOTTOM_AND_SIDE_MILLING($,$,'OP',$,$,#31,$,$,$,$,$,$,$,$,$,$)");
-  EXPECT_THAT(all_diagnostics(p.read()),
-              HasSubstr("no feed or no speed is stated for #30; --material aluminium"));
+  EXPECT_FALSE(p.read().material) << "all is stated";
+  EXPECT_THAT(all_diagnostics(p.read()), HasSubstr("not used, an annotation: WORKPIECE: its_material"));
+  for (const char* technology : {"$", "#92"}) {
+    p.with(92, "MILLING_TECHNOLOGY($,.TCP.,$,-100.,$,$,$,$,$,$)");
+    p.with(30, std::string("BOTTOM_AND_SIDE_MILLING($,$,'OP',$,$,#31,") + technology + ",$,$,$,$,$,$,$,$,$)");
+    const Part part = p.read();
+    EXPECT_EQ(part.material, "aluminium");
+    const std::string notes = all_diagnostics(part);
+    EXPECT_THAT(notes,
+                HasSubstr("no feed or no speed is stated for #30; without --material they are those for "
+                          "aluminium, by #91 MATERIAL('6061','Aluminium',()) (line "));
+    EXPECT_THAT(notes, ::testing::Not(HasSubstr("an annotation: WORKPIECE: its_material")));
+  }
   p.with(91, "MATERIAL('EN 10083','42CrMo4',())");
-  EXPECT_THAT(all_diagnostics(p.read()), HasSubstr("--material alloy-steel"));
+  EXPECT_EQ(p.read().material, "alloy-steel");
 }
 
 TEST(StepNc, OtherSchemasAreRefusedByName) {

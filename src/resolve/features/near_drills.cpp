@@ -74,8 +74,11 @@ void take_near_drills(Part& part, const PlanOptions& options) {
 
 void allow_for_places_of_holes(Part& part, const Tolerances& tol) {
   std::vector<bool> plunged(part.features.size(), true);
-  for (const Workingstep& step : part.workplan)
-    if (!makes_holes(tool_of(part, step))) plunged[static_cast<std::size_t>(step.feature)] = false;
+  for (const Workingstep& step : part.workplan) {
+    const Tool& tool = tool_of(part, step);
+    if (!makes_holes(tool) && tool.kind != ToolKind::kTap)
+      plunged[static_cast<std::size_t>(step.feature)] = false;
+  }
   for (std::size_t i = 0; i < part.features.size(); ++i) {
     Feature& feature = part.features[i];
     if (feature.kind != FeatureKind::kRoundHole || !plunged[i]) continue;

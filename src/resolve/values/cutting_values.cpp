@@ -427,10 +427,9 @@ class Filler {
 }  // namespace
 
 FilledValues fill_cutting_values(Operation& operation, const Tool& tool, double depth,
-                                 const PlanOptions& options, Sources& sources) {
-  if (!options.shop.material || !(tool.diameter > 0)) return {};
-  const auto work = work_material_named(*options.shop.material);
-  if (!work) return {};
+                                 const std::string& material, const PlanOptions& options, Sources& sources) {
+  const auto work = work_material_named(material);
+  if (!work || !(tool.diameter > 0)) return {};
   return Filler(operation, tool, *work, options, sources)
       .fill(suggestion_for(*work, tool, options.machine, depth), depth);
 }

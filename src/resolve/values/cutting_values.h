@@ -2,6 +2,9 @@
 // another.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "resolve/values/plan_options.h"
 
 namespace clearcut::resolve {
@@ -22,10 +25,9 @@ struct FilledValues {
   std::vector<std::string> warnings;
 };
 
-/// Fills the speed, the feed and the plunge feed that are not stated, from the material of the work
-/// (options.shop.material) and the tool: its kind, diameter, teeth, the material of its edges and their coating; see
-/// docs/feeds.md. Taps get only their speed. Fills nothing without a material. `depth`: depth of one pass of a mill,
-/// mm; for a cone, the depth of the whole cut.
+/// Fills the speed, the feed and the plunge feed that are not stated, from the material of the work (a name of work_material_names()) and the
+/// tool: its kind, diameter, teeth, the material of its edges and their coating; see docs/feeds.md. Taps get only their speed. Fills nothing
+/// for an unknown material. `depth`: depth of one pass of a mill, mm; for a cone, the depth of the whole cut.
 ///
 /// Chips   if the engagement is limited below a quarter turn the feed compensates for the thinner chip.
 /// Limits  speed of the tool and the machine; feed, rapid, power, torque and force of the machine at full width and
@@ -34,6 +36,6 @@ struct FilledValues {
 /// Slots   on light machines a slot feed below the feed, if none is stated.
 /// Source  of each value names the material, the cutting speed or the feed per tooth, and the limiting quantity.
 FilledValues fill_cutting_values(Operation& operation, const Tool& tool, double depth,
-                                 const PlanOptions& options, Sources& sources);
+                                 const std::string& material, const PlanOptions& options, Sources& sources);
 
 }  // namespace clearcut::resolve

@@ -35,7 +35,8 @@ Filled filled(const Tool& tool, const PlanOptions& options, double depth = 3, Cu
   Operation operation;
   operation.cutting = stated;
   Filled out;
-  out.told = fill_cutting_values(operation, tool, depth, options, out.sources);
+  out.told =
+      fill_cutting_values(operation, tool, depth, options.shop.material.value_or(""), options, out.sources);
   out.cutting = operation.cutting;
   return out;
 }

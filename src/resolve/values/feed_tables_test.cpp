@@ -94,7 +94,7 @@ constexpr Window kWindows[] = {
 
 Operation filled(const Tool& tool, const PlanOptions& options, double depth, Sources& sources) {
   Operation operation;
-  fill_cutting_values(operation, tool, depth, options, sources);
+  fill_cutting_values(operation, tool, depth, options.shop.material.value_or(""), options, sources);
   return operation;
 }
 

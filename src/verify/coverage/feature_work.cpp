@@ -204,6 +204,20 @@ FinestWork work_of(const Feature& feature, const Tool& tool, double allowance_si
   return {tool.radius(), std::min(tool.radius(), profile.flat), allowance_side, 0, profile, is_other_hole};
 }
 
+struct CheckedHeight {
+  double z = 0;
+  double narrower =
+      0;  ///< mm; how much less of the radius is asked for at this height than at the feature's top
+};
+
+/// Where a step has to clear its feature of this floor. A hole no deeper than the point of its drill is checked at its mouth, below the moves that
+/// count at the height of the mouth: those of a counterbore would clear what the drill leaves.
+CheckedHeight checked_height(const FinestWork& finest, double floor, double top, const Tolerances& tol) {
+  const double z = floor + finest.above, highest = std::max(floor, top - 2 * tol.uncut);
+  if (finest.above <= 0 || z <= highest) return {z, 0};
+  return {highest, finest.profile.radius_at(top - floor) - finest.profile.radius_at(highest - floor)};
+}
+
 /// The finest of the steps with a floor, including its stock to leave, at z or below; usually only the last step.
 std::vector<FinestWork> finest_works(const Part& part, const FeatureWork& work, double z,
                                      const Tolerances& tol) {
@@ -278,7 +292,7 @@ class WorkCheck {
     const std::vector<std::size_t> near = moves_.near(target);
     bool first = true;
     for (const FinestWork& finest : finest_works(part_, work, level.z, tol)) {
-      const double z = level.z + finest.above;
+      const auto [z, narrower] = checked_height(finest, level.z, feature.top_z, tol);
       CoverageQuestion question;
       question.part = &finished_.for_feature(feature);
       question.target = &in_stock;
@@ -286,9 +300,9 @@ class WorkCheck {
       question.swaths = swaths_at(z, off, target, moves_, near, tol);
       question.path_tolerance = liberty_at(highest_counted(z, tol), target, moves_, near, tol);
       question.above = height_above(z, off, target, moves_, near, tol);
-      question.radius = finest.radius;
-      question.flat = scallop_left > 0 ? finest.radius : finest.flat;
-      question.allowance = finest.allowance_side + kept;
+      question.radius = finest.radius - narrower;
+      question.flat = scallop_left > 0 ? question.radius : std::min(finest.flat, question.radius);
+      question.allowance = finest.allowance_side + kept + narrower;
       level.any_cut = level.any_cut || !question.swaths.empty();
       const bool none_is_made = finest.is_other_hole && question.swaths.empty();
       Coverage one = none_is_made ? nothing_in_reach(in_stock) : coverage_of(question, tol);

@@ -23,6 +23,8 @@ constexpr double kGraze = kPi / 180;
 /// mm. Depth of cut is measured this far inside the cutter's circle, because slivers left on a wall by an earlier
 /// cutter are higher, but cause no load.
 constexpr double kSliver = 0.05;
+/// mm. Material nearer than this to the tool above its flutes counts as touching: chips jam there, and the shank rubs.
+constexpr double kClearOfWalls = 0.05;
 /// mm. Greatest distance between samples of the engagement.
 constexpr double kLongestStep = 0.25;
 
@@ -367,18 +369,41 @@ class LoadMeter {
       measure_above(checked, *tool.stickout, tool.holder_diameter / 2, false);
     if (tool.flute_length && (tool.shank_diameter > 2 * widest_radius(tool) || tool.kind == ToolKind::kTSlot))
       measure_above(checked, *tool.flute_length, tool.shank_diameter / 2, true);
+    measure_flutes(checked);
+  }
+
+  /// mm; radius of the tool above its flutes that needs room: a stated neck of a mill has its own.
+  static double radius_above_flutes(const Tool& tool) {
+    const double widest = widest_radius(tool), shank = tool.shank_diameter / 2;
+    return clears_floors(tool) && shank > 0 ? std::min(shank, widest) : widest;
+  }
+
+  /// Flutes need to reach only as high as material stands around the cutter: not over a wider hole or pocket that was
+  /// cut before.
+  void measure_flutes(CheckedMove& checked) const {
+    const Tool& tool = *checked.tool;
+    if (!checked.feeds() || !tool.flute_length) return;
+    const auto touch = touched_above(checked, *tool.flute_length, radius_above_flutes(tool) + kClearOfWalls);
+    if (!touch) return;
+    checked.load.wall_beyond_flutes =
+        WallBeyondFlutes{touch->at, material_.height(touch->material) - touch->at.z};
   }
 
   void measure_above(CheckedMove& checked, double above, double radius, bool is_shank) {
     if (checked.load.holder_contact) return;
     const auto touched = touched_above(checked, above, radius);
     if (!touched) return;
-    checked.load.holder_contact = *touched;
+    checked.load.holder_contact = touched->at;
     checked.load.is_shank = is_shank;
   }
 
+  struct Touch {
+    Place at;       ///< of the tip
+    Vec2 material;  ///< the point touched
+  };
+
   /// The first place at which a cylinder beginning `above` the tip touches material.
-  std::optional<Place> touched_above(const CheckedMove& checked, double above, double radius) const {
+  std::optional<Touch> touched_above(const CheckedMove& checked, double above, double radius) const {
     const Move& move = *checked.move;
     if (checked.low_z() + above >= material_.z_top() - kResidual) return std::nullopt;
     const bool is_one = move.is_vertical() || move.z_from == move.z_to;
@@ -390,7 +415,7 @@ class LoadMeter {
       const Edge way = is_one && !move.is_vertical() ? move.path : Edge::line(at, at);
       const auto hit = material_.in_reach(way, radius - kResidual, z + above + kResidual);
       if (!hit) continue;
-      return Place{way.from == way.to ? at : nearest(way, *hit).point, z, move.line};
+      return Touch{{way.from == way.to ? at : nearest(way, *hit).point, z, move.line}, *hit};
     }
     return std::nullopt;
   }

@@ -133,7 +133,7 @@ std::optional<Place> within(const stock::Material& material, const Move& move, d
   const CutterProfile pointed = CutterProfile{0, 0, lead > 0 ? 1 / lead : 0, radius}.narrowed(kTakenSliver);
   const auto met = [&](const Edge& path, double z) {
     return lead > 0
-               ? material.in_reach(path, pointed, z + kTakenSliver)
+               ? material.in_reach(path, pointed, z + kTakenSliver, kLeftByDesign)
                : material.in_reach(path, inner, z + kTakenSliver, stock::Material::kCylinder, kLeftByDesign);
   };
   if (move.is_vertical() || move.z_from == move.z_to) {

@@ -83,4 +83,7 @@ std::vector<Condition> doubtful_cutting_data(const CheckedProgram& program, cons
 std::vector<Fault> faults_of_holes(const Part& part, const CheckedProgram& program,
                                    const VerifyOptions& options);
 
+/// `stated-peck` if a drill goes deeper at once than the pecks that are stated for its hole, at the first such place.
+std::optional<Condition> stated_pecks_exceeded(const Part& part, const CheckedProgram& program);
+
 }  // namespace clearcut::verify

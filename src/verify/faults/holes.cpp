@@ -1,8 +1,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <optional>
+#include <string>
 
 #include "base/text.h"
+#include "base/tolerances.h"
 #include "verify/faults/faults.h"
 #include "verify/faults/threads.h"
 
@@ -13,11 +17,18 @@ namespace {
 constexpr double kOnAxis = 0.01;
 /// mm. Diameters and pitches differing by less are equal.
 constexpr double kSameSize = 0.005;
+/// mm. A drill of a hole's size differs from it by no more: docs/holes.md, near sizes.
+constexpr double kNearSize = 0.05 + kSameSize;
+/// mm. Pecks of rounded words differ by less from the stated ones.
+constexpr double kPeckSlack = 0.01;
+/// mm. Rising by less breaks no chip.
+constexpr double kLeastRise = 0.01;
 
 class HoleCheck {
  public:
-  HoleCheck(const Feature& feature, const CheckedProgram& program, const VerifyOptions& options)
-      : feature_(feature), hole_(*feature.hole), program_(program), options_(options) {
+  HoleCheck(const Part& part, const Feature& feature, const CheckedProgram& program,
+            const VerifyOptions& options)
+      : part_(part), feature_(feature), hole_(*feature.hole), program_(program), options_(options) {
     for (std::size_t i = 0; i < program.moves.size(); ++i) {
       const CheckedMove& checked = program.moves[i];
       if (!checked.tool || checked.low_z() >= feature.top_z || !checked.counts_below(feature.top_z)) continue;
@@ -40,6 +51,7 @@ class HoleCheck {
       check_cone();
     } else {
       check_point();
+      check_finish();
     }
     return std::move(faults_);
   }
@@ -89,6 +101,64 @@ class HoleCheck {
             trimmed(hole_.full_z, 3));
   }
 
+  bool has_own_width(const Tool& tool) const { return std::abs(tool.diameter - hole_.diameter) < kSameSize; }
+
+  /// A reamed or bored hole is more than its width and depth: a hole that a mill or a drill has made to size is neither.
+  void check_finish() {
+    const bool is_reamed = hole_.kind == HoleKind::kReamed;
+    const ToolKind kind = is_reamed ? ToolKind::kReamer : ToolKind::kBoringBar;
+    const auto is_the_tool = [&](const Tool& tool) { return tool.kind == kind && has_own_width(tool); };
+    // Without a boring bar of its width a hole is only milled.
+    if (!is_reamed &&
+        (hole_.kind != HoleKind::kBored || std::none_of(part_.tools.begin(), part_.tools.end(), is_the_tool)))
+      return;
+    const std::string name = std::string("a ") + (is_reamed ? "reamer" : "boring bar") + " of " +
+                             trimmed(hole_.diameter, 3) + " mm";
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const std::size_t i : upright_) {
+      if (is_the_tool(*at(i).tool)) lowest = std::min(lowest, at(i).low_z());
+    }
+    if (std::isinf(lowest))
+      return add_missing("the hole is to be finished by " + name + ", and none comes down on its axis");
+    if (lowest > hole_.full_z + options_.tol.uncut)
+      add(FaultKind::kUncut, lowest - hole_.full_z, lowest, 0,
+          name + " goes down to z " + trimmed(lowest, 3) + " only, and shall to z " +
+              trimmed(hole_.full_z, 3));
+  }
+
+  /// Level arcs of one cone about the axis, at one height and distance.
+  struct Orbit {
+    const Tool* cone;
+    double tip, radius;
+    double turned = 0;  ///< radians
+    int line = 0;
+
+    bool is_closed() const { return turned > 2 * kPi - kSameAngleRad; }
+    bool takes(const CheckedMove& checked) const {
+      return cone == checked.tool && std::abs(tip - checked.low_z()) < kSameSize &&
+             std::abs(radius - checked.move->path.radius()) < kSameSize;
+    }
+  };
+
+  std::vector<Orbit> orbits_of_cones() const {
+    std::vector<Orbit> orbits;
+    for (const CheckedMove& checked : program_.moves) {
+      if (!checked.tool || !is_conical(*checked.tool) || !checked.feeds() || !checked.is_flat()) continue;
+      const Edge& path = checked.move->path;
+      if (!path.is_arc() || distance(path.center, hole_.center) > kOnAxis ||
+          !checked.counts_below(feature_.top_z))
+        continue;
+      auto orbit =
+          std::find_if(orbits.begin(), orbits.end(), [&](const Orbit& one) { return one.takes(checked); });
+      if (orbit == orbits.end())
+        orbit = orbits.insert(orbits.end(),
+                              {checked.tool, checked.low_z(), path.radius(), 0, checked.move->line});
+      orbit->turned += std::abs(path.sweep());
+    }
+    return orbits;
+  }
+
+  /// A cone comes down on the axis, or it goes round about it.
   void check_cone() {
     double widest = -1, tip = 0;
     int line = 0;
@@ -96,6 +166,11 @@ class HoleCheck {
       if (!is_conical(*at(i).tool)) continue;
       const double width = 2 * radius_at(*at(i).tool, feature_.top_z - at(i).low_z());
       if (width > widest) widest = width, line = at(i).move->line, tip = at(i).low_z();
+    }
+    for (const Orbit& orbit : orbits_of_cones()) {
+      if (!orbit.is_closed()) continue;
+      const double width = 2 * (orbit.radius + radius_at(*orbit.cone, feature_.top_z - orbit.tip));
+      if (width > widest) widest = width, line = orbit.line, tip = orbit.tip;
     }
     if (widest < 0) return add_missing("no cone comes down on its axis");
     const double left = (hole_.diameter - widest) / 2;
@@ -143,6 +218,7 @@ class HoleCheck {
     }
   }
 
+  const Part& part_;
   const Feature& feature_;
   const HoleForm& hole_;
   const CheckedProgram& program_;
@@ -152,6 +228,48 @@ class HoleCheck {
   bool is_milled_ = false;                 ///< one of them feeds
   std::vector<Fault> faults_;
 };
+
+/// The descents of one drill in one hole.
+class Pecks {
+ public:
+  Pecks(const HoleForm& hole, double top_z) : hole_(hole), top_z_(top_z), begun_(top_z), deepest_(top_z) {}
+
+  /// Whether the drill has gone deeper at once than its peck after this move along the axis.
+  bool are_exceeded_by(const CheckedMove& checked) {
+    const double from = checked.move->z_from, to = checked.move->z_to;
+    // Chips that fill the flutes are cleared outside the hole only.
+    const bool ends_the_peck = hole_.chip_break ? to > from + kLeastRise : to >= top_z_ - kLeastRise;
+    if (to > from && ends_the_peck) begun_ = deepest_;
+    if (to < from && checked.feeds()) deepest_ = std::min(deepest_, to);
+    return taken() > *hole_.peck + kPeckSlack;
+  }
+  double taken() const { return begun_ - deepest_; }
+
+ private:
+  const HoleForm& hole_;
+  double top_z_;
+  double begun_;    ///< z at which the present peck met material
+  double deepest_;  ///< z of the bottom so far
+};
+
+std::optional<Condition> longer_peck(const Feature& feature, const CheckedProgram& program) {
+  const HoleForm& hole = *feature.hole;
+  std::map<int, Pecks> by_tool;
+  for (const CheckedMove& checked : program.moves) {
+    if (!checked.tool || checked.tool->kind != ToolKind::kDrill || checked.is_carried()) continue;
+    if (!checked.move->is_vertical() || distance(checked.move->path.from, hole.center) > kOnAxis) continue;
+    if (std::abs(checked.tool->diameter - hole.diameter) > kNearSize) continue;
+    Pecks& pecks = by_tool.try_emplace(checked.tool_number, hole, feature.top_z).first->second;
+    if (!pecks.are_exceeded_by(checked)) continue;
+    return Condition{"stated-peck",
+                     feature.name + ": T" + std::to_string(checked.tool_number) + " drills " +
+                         trimmed(pecks.taken(), 3) + " mm at once where pecks of " + trimmed(*hole.peck, 3) +
+                         " mm" + (hole.chip_break ? "" : ", with a full retract each time,") +
+                         " are stated; the program's pecks are meant",
+                     checked.move->line};
+  }
+  return std::nullopt;
+}
 
 bool is_worked(const Part& part, int feature) {
   return std::any_of(part.workplan.begin(), part.workplan.end(),
@@ -165,10 +283,20 @@ std::vector<Fault> faults_of_holes(const Part& part, const CheckedProgram& progr
   std::vector<Fault> faults;
   for (std::size_t i = 0; i < part.features.size(); ++i) {
     if (!part.features[i].hole || !is_worked(part, static_cast<int>(i))) continue;
-    for (Fault& fault : HoleCheck(part.features[i], program, options).check())
+    for (Fault& fault : HoleCheck(part, part.features[i], program, options).check())
       faults.push_back(std::move(fault));
   }
   return faults;
+}
+
+std::optional<Condition> stated_pecks_exceeded(const Part& part, const CheckedProgram& program) {
+  for (std::size_t i = 0; i < part.features.size(); ++i) {
+    const Feature& feature = part.features[i];
+    if (!feature.hole || !feature.hole->peck || feature.hole->kind != HoleKind::kDrilled) continue;
+    if (!is_worked(part, static_cast<int>(i))) continue;
+    if (auto found = longer_peck(feature, program)) return found;
+  }
+  return std::nullopt;
 }
 
 }  // namespace clearcut::verify

@@ -133,15 +133,28 @@ class StateCheck {
   }
 
   std::optional<Fault> flutes(const CheckedMove& checked) const {
-    if (!checked.cuts() || !checked.tool || !checked.tool->flute_length) return std::nullopt;
+    if (!checked.cuts() || !checked.tool) return std::nullopt;
+    if (!checked.tool->flute_length) return flanks(checked);
     // Their necks are narrower than their cutting parts; contact of a T-slot cutter's neck is checked separately.
     if (checked.tool->kind == ToolKind::kThreadMill || checked.tool->kind == ToolKind::kTSlot)
       return std::nullopt;
-    const double depth = std::max(checked.load.axial_mm, part_.top_z() - checked.low_z());
+    const auto& wall = checked.load.wall_beyond_flutes;
+    const double depth = std::max(checked.load.axial_mm, wall ? wall->height : 0);
     if (depth <= *checked.tool->flute_length + kHeightSlack) return std::nullopt;
     return fault(FaultKind::kBeyondFlutes, checked, depth,
                  "Cuts " + trimmed(depth, 3) + " mm deep with flutes of " +
                      trimmed(*checked.tool->flute_length, 3) + " mm");
+  }
+
+  /// V-bits and chamfer mills have edges on their flanks alone; spot drills have flutes above them, as drills have.
+  std::optional<Fault> flanks(const CheckedMove& checked) const {
+    const Tool& tool = *checked.tool;
+    if (!is_conical(tool) || is_driven_down(tool)) return std::nullopt;
+    const double depth = checked.load.axial_mm;
+    if (depth <= flank_height(tool) + kHeightSlack) return std::nullopt;
+    return fault(FaultKind::kBeyondFlutes, checked, depth,
+                 "Cuts " + trimmed(depth, 3) + " mm deep with flanks that end " +
+                     trimmed(flank_height(tool), 3) + " mm above the tip, where its shank begins");
   }
 
   std::optional<Fault> stock(const CheckedMove& checked) const {

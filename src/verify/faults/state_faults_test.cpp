@@ -280,6 +280,48 @@ TEST(StateFaults, PlungeFeedFlutesAndStock) {
   EXPECT_TRUE(has(checked(part, pocketing(), table()), FaultKind::kBeyondStock));
 }
 
+/// A pocket of 20 mm, 2 mm deep, with one of 10 mm in its floor: in it nothing higher stands beside the cutter.
+TEST(StateFaults, FlutesReachAsHighAsMaterialStandsBesideTheCutter) {
+  const auto below_a_wider_pocket = [](double flutes, double shank = 0) {
+    Part part = pocket();
+    part.tools[0].flute_length = flutes;
+    part.tools[0].shank_diameter = shank;
+    Feature deeper = part.features[0];
+    deeper.name = "DEEPER";
+    deeper.target = deeper.allowed = rectangle(-5, -5, 5, 5);
+    deeper.top_z = -2;
+    deeper.floor_z = -4;
+    part.features.push_back(deeper);
+    Workingstep step = part.workplan[0];
+    step.feature = 1;
+    part.workplan.push_back(step);
+    Writer writer;
+    cut_square_rings(writer, {0, 0}, kRings, 0, -2);
+    cut_square_rings(writer, {0, 0}, {2}, -2, -4);
+    return checked(part, writer.done(), table());
+  };
+  EXPECT_FALSE(has(below_a_wider_pocket(2.2), FaultKind::kBeyondFlutes));
+  EXPECT_TRUE(has(below_a_wider_pocket(1.8), FaultKind::kBeyondFlutes));
+  EXPECT_FALSE(has(below_a_wider_pocket(2.2, 12), FaultKind::kHolder)) << "the wider shank has room";
+  EXPECT_TRUE(has(below_a_wider_pocket(2.2, 17), FaultKind::kHolder));
+}
+
+/// Layers of 1 mm along walls 2 mm high: only the lowest 1.5 mm of the cutter has flutes.
+TEST(StateFaults, WallsOfEarlierLayersStandBesideTheShank) {
+  const auto in_two_layers = [](const std::vector<double>& rings, double shank = 0) {
+    Part part = pocket();
+    part.tools[0].flute_length = 1.5;
+    part.tools[0].shank_diameter = shank;
+    Writer writer;
+    cut_square_rings(writer, {0, 0}, kRings, 0, -1);
+    cut_square_rings(writer, {0, 0}, rings, -1, -2);
+    return checked(part, writer.done(), table());
+  };
+  EXPECT_TRUE(has(in_two_layers(kRings), FaultKind::kBeyondFlutes));
+  EXPECT_FALSE(has(in_two_layers({2.5, 6}), FaultKind::kBeyondFlutes)) << "1 mm off the walls";
+  EXPECT_FALSE(has(in_two_layers(kRings, 5), FaultKind::kBeyondFlutes)) << "a neck has room";
+}
+
 /// Beside the block, too: there is the table that it lies on.
 TEST(StateFaults, BelowTheStockWhereNothingStands) {
   const auto beside = [](double z) {

@@ -15,6 +15,8 @@ namespace {
 /// mm. The height on both sides of an edge is computed this far beside it: more than the rounding differences of
 /// coincident outlines.
 constexpr double kBeside = 1e-8;
+/// mm. A corner nearer to an edge than this is on it: the rounding of unions and intersections moves corners by up to a nanometre.
+constexpr double kCornerOnEdge = kSamePlaceMm;
 constexpr double kNothing = -std::numeric_limits<double>::infinity();
 /// mm below the stock without any part: deeper than any through cut. The permitted depth of a cutter is checked with
 /// the stock.
@@ -249,11 +251,11 @@ double FinishedPart::fillet_at(const Wall& wall, Vec2 p, int own) const {
 std::vector<double> FinishedPart::cuts_of(const Edge& edge, int shape, const EdgeTree& all,
                                           const std::vector<int>& owner) const {
   std::vector<double> cuts{0, 1};
-  all.overlapping(edge.box().grown(kBeside), [&](int other) {
+  all.overlapping(edge.box().grown(kCornerOnEdge), [&](int other) {
     if (owner[other] == shape) return;
     for (const Vec2 p : intersections(edge, all.edges()[other])) cuts.push_back(nearest(edge, p).t);
     const auto corner = nearest(edge, all.edges()[other].from);
-    if (corner.distance < kBeside && corner.t > 0 && corner.t < 1) cuts.push_back(corner.t);
+    if (corner.distance < kCornerOnEdge && corner.t > 0 && corner.t < 1) cuts.push_back(corner.t);
   });
   std::sort(cuts.begin(), cuts.end());
   return cuts;

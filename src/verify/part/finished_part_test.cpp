@@ -39,5 +39,26 @@ TEST(FinishedPart, AWallSharedWithADeeperFeatureGoesDownToItsFloor) {
   EXPECT_EQ(part.height({20, 15}), -5);
 }
 
+/// A step along the right side of a block. The corner of its allowed area on the block's upper side is `off` mm beside that side, as the rounding
+/// of unions leaves it.
+Part step_with_a_rounded_corner(double off) {
+  Part part = testing::pocket_part(testing::rectangle(75, 0, 100, 50), 4, -2);
+  part.stock = Stock{{{0, 0}, {100, 50}}, -10, 0};
+  const Vec2 outer[] = {{-50, -50}, {150, -50}, {150, 100}, {-50, 100}};
+  const Vec2 rest[] = {{0, 0}, {0, 50}, {75, 50 + off}, {75, 0}};
+  part.features[0].allowed = {Region::from_valid_loops(loop_from_points(outer), {loop_from_points(rest)})};
+  return part;
+}
+
+TEST(FinishedPart, NoWallStandsAlongTheStocksSideBeyondACornerThatIsRounded) {
+  for (const double off : {0.0, 1.3e-8, -1.3e-8, 5e-7, -5e-7}) {
+    const FinishedPart part(step_with_a_rounded_corner(off));
+    for (const Wall& wall : part.walls()) {
+      const bool is_beside_step = nearest(wall.edge, {90, 50}).distance < 1;
+      EXPECT_FALSE(is_beside_step && wall.stands_at(-1)) << off;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace clearcut::verify

@@ -47,7 +47,11 @@ std::optional<double> Attribution::stepdown_at(const CheckedMove& checked) const
     const std::optional<double> stepdown = part_.workplan[i].operation.stepdown;
     // The tip of a cone goes below the foot of the chamfer cut by its flank.
     const bool chamfers = i == checked.workingstep && feature_of(part_, part_.workplan[i]).chamfer;
-    if (!stepdown || !(chamfers || fits(checked, middle, i, checked.radius()))) continue;
+    if (!chamfers && !fits(checked, middle, i, checked.radius())) continue;
+    if (!stepdown) {
+      if (has_tool(checked, i)) return std::nullopt;  // this step of the tool has no limit
+      continue;
+    }
     of_any = std::max(of_any.value_or(0), *stepdown);
     if (has_tool(checked, i)) of_tool = std::max(of_tool.value_or(0), *stepdown);
   }
@@ -58,7 +62,7 @@ std::optional<double> Attribution::stepdown_at(const CheckedMove& checked) const
 bool Attribution::has_tool(const CheckedMove& checked, int workingstep) const {
   const int index = part_.workplan[workingstep].operation.tool;
   return checked.tool && index >= 0 && index < static_cast<int>(part_.tools.size()) &&
-         &part_.tools[index] == checked.tool;
+         part_.tools[index].number == checked.tool->number;
 }
 
 bool Attribution::fits(const CheckedMove& checked, Vec2 p, int workingstep, double beside) const {

@@ -27,7 +27,7 @@ class Attribution {
 
   /// mm. The greatest stepdown of all workingsteps with a feature around the move or less than a radius away, because
   /// work on one feature extends into the next; if some of them use the move's tool, only of these. Absent if none
-  /// states a stepdown.
+  /// states a stepdown, or one of the move's tool states none.
   std::optional<double> stepdown_at(const CheckedMove& checked) const;
 
  private:

@@ -59,6 +59,12 @@ struct Overcut {
   bool sideways = false;
 };
 
+/// Material close to the tool above its flutes.
+struct WallBeyondFlutes {
+  Place at;
+  double height = 0;  ///< mm over the tip
+};
+
 /// Load of the cutter on one move.
 struct MoveLoad {
   double cutting_mm = 0;  ///< mm with engagement of the cutter
@@ -76,6 +82,7 @@ struct MoveLoad {
   HeapOptional<Place> plunge_contact;  ///< a place at which a cutter plunges although it must not
   /// A place at which the holder, or a shank wider than the cutter, touches material.
   HeapOptional<Place> holder_contact;
+  HeapOptional<WallBeyondFlutes> wall_beyond_flutes;
   HeapOptional<EntryLoad> entry;
   HeapOptional<Overcut> overcut;
   HeapOptional<ReferenceLoad> reference;  ///< reference load; only if feeds follow the load

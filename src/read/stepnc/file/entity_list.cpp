@@ -46,7 +46,7 @@ constexpr ListedEntity kListed[] = {
     {"OFFSET_VECTOR", kSaid, "the place of the workpiece on the machine is reported"},
     {"SETUP_INSTRUCTION", kSaid, "a warning with its text"},
     {"MATERIAL", kSaid,
-     "an annotation; where feeds are missing, the message names the --material that has them"},
+     "an annotation; where a feed or speed is missing, that for the material, if its name is recognised"},
     // Features.
     {"PLANAR_FACE"},
     {"CLOSED_POCKET"},

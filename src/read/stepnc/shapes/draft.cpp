@@ -224,6 +224,26 @@ SlotEnd slot_end(const Node& end) {
   end.fail("a slot with this kind of end cannot be machined yet; write the end as open, round or flat");
 }
 
+/// Two ends, or one LOOP where the course comes back to its begin. One other end is taken for both.
+void read_slot_ends(const Node& feature, Draft& draft, Context& context) {
+  const auto doubt = [&](const std::string& what) {
+    context.diagnostics.doubt(context.file.place(feature.line()), kNotFollowed,
+                              feature.label() + ": " + what);
+  };
+  const std::vector<Node> ends = feature.refs(7);
+  if (ends.empty()) return;
+  if (ends.size() > 2) feature.fail("it has more than two end conditions; give one for each end");
+  if (ends[0].is("LOOP_SLOT_END_TYPE")) {
+    if (distance(draft.course.front().from, draft.course.back().to) > context.tol.join_gap)
+      doubt("its end is a LOOP, and its course does not come back to its begin; it ends as its course does");
+    return;
+  }
+  if (ends.size() == 1) doubt("one end condition is given; it is taken for both ends");
+  draft.ends_given = true;
+  draft.ends[0] = slot_end(ends.front());
+  draft.ends[1] = slot_end(ends.back());
+}
+
 void read_slot(const Node& feature, const Frame& frame, Draft& draft, Context& context) {
   draft.kind = FeatureKind::kSlot;
   draft.course = planar_map(frame).path(travel_path(feature.needed_ref(5, "course of travel"), context));
@@ -239,12 +259,7 @@ void read_slot(const Node& feature, const Frame& frame, Draft& draft, Context& c
     draft.width = 2 * std::abs(draft.depth_z) * base::tan(*section.vee / 2);
   }
   if (section.fillet > 0) draft.floor_fillet = Toleranced{section.fillet, 0, 0};
-  const std::vector<Node> ends = feature.refs(7);
-  const bool loop = !ends.empty() && ends[0].is("LOOP_SLOT_END_TYPE");
-  draft.ends_given = ends.size() >= 2 && !loop;
-  if (!draft.ends_given || loop) return;
-  draft.ends[0] = slot_end(ends[0]);
-  draft.ends[1] = slot_end(ends[1]);
+  read_slot_ends(feature, draft, context);
 }
 
 /// The section of a step: the angle between its floor and its wall, and that between the wall and the surface above, which are the

@@ -164,11 +164,13 @@ class OpenSide {
   void warn_of_inner_ends(Context& context) const {
     const Box inner = stock_.grown(-context.tol.join_gap);
     if (!inner.contains(draft_.wall.front().from) && !inner.contains(draft_.wall.back().to)) return;
-    context.warn(
-        draft_.wall_is_step
-            ? "an end of the step lies inside the stock; a wall is left there"
-            : "an end of its open side lies inside the stock; it is opened straight to the nearest edge",
-        draft_.node);
+    if (draft_.wall_is_step)
+      context.warn("an end of the step lies inside the stock; a wall is left there", draft_.node);
+    else
+      context.diagnostics.doubt(
+          context.file.place(draft_.node.line()), kNotFollowed,
+          draft_.node.label() +
+              ": an end of its open side lies inside the stock; it is opened straight to the nearest edge");
   }
 
   double reach() const { return stock_.width() + stock_.height() + 10; }
