@@ -478,7 +478,7 @@ class Own(unittest.TestCase):
 
     def test_parts_of_several_kinds_lie_on_one_sheet(self):
         plate, flat = str(EXAMPLES / "inlay_hole.dxf"), str(EXAMPLES / "inlay_plug.dxf")
-        sheet = {"tools": "vbit:90deg:12", "nest": "300x200", "gap": 5, "count": 2, "nest_with": [flat + ":1"]}
+        sheet = {"tools": ["vbit:90deg:12", "endmill:3"], "nest": "300x200", "gap": 5, "count": 2, "nest_with": [flat + ":1"]}
         plan = clearcut.plan(plate, **sheet)
         self.assertEqual([(kind["name"], kind["parts"]) for kind in plan.copies["kinds"]], [("inlay_hole.dxf", 2), ("inlay_plug.dxf", 1)])
         self.assertEqual(len(plan.copies["places"]), 3)

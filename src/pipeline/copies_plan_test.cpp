@@ -54,6 +54,28 @@ TEST(Copies, WhatLiesBesideTheOutlinesIsOfThePart) {
   }
 }
 
+/// Where a part ends with a pocket, its wall is the material beside it: none at the sheet's edge, or towards the next, was found as uncut.
+TEST(Copies, PocketsAtTheSideOfTheirPartNeedAWall) {
+  const Part part = drawn(rounded_box("POCKET_D2", 0, 0, 20, 14, 2));
+  const auto said = [&](double edge, double gap) {
+    resolve::PlanOptions options = with({"endmill:3"});
+    options.copies.sheet = "100x60";
+    options.copies.edge = edge;
+    options.copies.gap = gap;
+    try {
+      const PlanResult planned = plan_part(part, options);
+      EXPECT_TRUE(planned.findings.all.clean) << faults_of(planned.findings);
+      EXPECT_TRUE(check_program(part, planned.program, "sheet.ngc", options).findings.all.clean);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("no refusal");
+  };
+  EXPECT_THAT(said(0, 3), HasSubstr("--edge: 0 mm leave no wall of POCKET_D2"));
+  EXPECT_THAT(said(3, 0), HasSubstr("--gap: 0 mm between parts leave no wall of POCKET_D2"));
+  EXPECT_EQ(said(0.5, 0.5), "no refusal");
+}
+
 TEST(Copies, EachPartIsMadeAndEachToolComesOnce) {
   const resolve::PlanOptions options = with({"endmill:6", "drill:5"});
   const PlanResult result = plan_part(plate(), in_grid(options, "3x2", 4));

@@ -419,6 +419,7 @@ TEST_F(FilesOfKinds, AreReadByTheJobOfTheSheetOrTheirOwn) {
   const PlanResult planned = plan_part(part, options);
   EXPECT_EQ(faults_of(planned.findings), "");
   EXPECT_EQ(planned.copies->parts, 4);
+  EXPECT_EQ(planned.copies->kinds[2].name, "own.toml");
   ASSERT_EQ(planned.part.tools.size(), 2U);
   EXPECT_EQ(planned.part.tools[1].number, 2);
   EXPECT_THAT(planned.program, HasSubstr("F900"));

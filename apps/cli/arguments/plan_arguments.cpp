@@ -26,6 +26,18 @@ void add_library(const std::filesystem::path& library, std::vector<CertificateFi
   for (const std::string& tool : read_tool_library(library, {}).files) files.push_back({"tools", tool});
 }
 
+/// Adds a further part of a sheet; of a job what it names, too.
+void add_nested(const std::string& file, std::vector<CertificateFileName>& files) {
+  if (std::filesystem::path(file).extension() != ".toml") {
+    files.push_back({"part", file});
+    return;
+  }
+  files.push_back({"job", file});
+  const JobFile job = read_job(file);
+  files.push_back({"part", job.part_file.string()});
+  if (job.tool_library) add_library(*job.tool_library, files);
+}
+
 /// Orientation of the part, from the options or its job.
 SolidOptions lies(const std::optional<JobFile>& from_job, const ChosenSetup& setup,
                   const SolidOptions& typed) {
@@ -327,7 +339,7 @@ std::vector<CertificateFileName> PlanArguments::input_files() const {
   if (const auto earlier = stock_.program(job)) files.push_back({"earlier program", *earlier});
   const auto& typed = typed_.plan.copies.with;
   for (const std::string& text : typed.empty() && job ? job->whole.copies.with : typed)
-    if (const auto named = nested_file(text)) files.push_back({"part", named->file});
+    if (const auto named = nested_file(text)) add_nested(named->file, files);
   return files;
 }
 

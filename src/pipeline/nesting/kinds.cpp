@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "base/tolerances.h"
+#include "options/copies_options.h"
 #include "options/value.h"
 #include "resolve/resolve.h"
 
@@ -141,6 +142,13 @@ std::string file_name_of(const std::string& path) {
   return path.substr(path.find_last_of("/\\") + 1);
 }
 
+/// The file that was asked for: of a job not its drawing.
+std::string name_of_nested(const resolve::PlanOptions& options, std::size_t index) {
+  const auto& with = options.copies.with;
+  const auto asked = index < with.size() ? nested_file(with[index]) : std::nullopt;
+  return file_name_of(asked ? asked->file : options.nested[index].part.source_file);
+}
+
 }  // namespace
 
 bool is_cut_out(const Feature& feature) {
@@ -154,8 +162,9 @@ Kinds kinds_of(const Part& part, const resolve::PlanOptions& options, std::vecto
   if (options.nested.empty()) return kinds;
   // An option may serve only some of the kinds.
   kinds.front().options.refuse_idle = false;
-  for (const NestedPart& nested : options.nested) {
-    Kind kind{file_name_of(nested.part.source_file), nested.part, kinds.front().options, nested.count};
+  for (std::size_t i = 0; i < options.nested.size(); ++i) {
+    const NestedPart& nested = options.nested[i];
+    Kind kind{name_of_nested(options, i), nested.part, kinds.front().options, nested.count};
     if (!kind.part.keep_outs.empty())
       throw InputError(kind.name,
                        "states clamps, which are those of the sheet; state them with the first part");
