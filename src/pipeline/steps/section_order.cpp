@@ -311,9 +311,7 @@ void follow_load(Toolpath& toolpath, const ResolvedPlan& plan) {
   if (!plan.feed_rule) return;
   const Part& part = plan.part;
   const double rounding = post::rounding_of(plan.post) + (plan.post.arcs ? 0 : plan.tol.chord);
-  // A worn cutter leaves as much more for the passes that the control shifts to the wall: twice half of it is cut besides.
-  const double worn = plan.post.wear ? plan.post.wear->range / 2 : 0;
-  const double displaced = std::max(worn, rounding > kFineDigits ? rounding : 0);
+  const double displaced = rounding > kFineDigits ? rounding : 0;
   std::vector<double> radii;
   for (const Tool& tool : part.tools) radii.push_back(tool.radius() + 2 * displaced);
   stock::Material material = material_at_start(part, plan.earlier, radii);
