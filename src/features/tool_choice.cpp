@@ -10,6 +10,7 @@
 #include "features/round_hole.h"
 #include "geometry/contours/boolean.h"
 #include "geometry/voronoi/clearance.h"
+#include "model/cutter_profile.h"
 
 namespace clearcut::features {
 namespace {
@@ -337,8 +338,13 @@ int tool_for(const Feature& feature, const std::vector<Tool>& tools, const std::
     if (const int round = fillet_tool(feature, tools, fits); round >= 0) return round;
   }
   int best = 0;
+  const bool may_be_milled = std::any_of(tools.begin(), tools.end(), [&](const Tool& tool) {
+    return clears_floors(tool) && tool.diameter <= fits && has_room_to_enter(feature, tool, tol);
+  });
+  // In a hole shallower than its point a drill never comes to its width.
   const auto drills = [&](const Tool& tool) {
-    return hole && tool.kind == ToolKind::kDrill && makes_hole(tool, *hole, tol);
+    return hole && tool.kind == ToolKind::kDrill && makes_hole(tool, *hole, tol) &&
+           (!may_be_milled || outer_profile(tool).full_height() <= feature.top_z - feature.floor_z);
   };
   const auto leaves_corner = [](const Tool& tool) { return end_radius_of(tool) < kSameEndRadius; };
   const auto better = [&](const Tool& a, const Tool& b) {
