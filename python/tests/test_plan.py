@@ -475,6 +475,8 @@ class Own(unittest.TestCase):
         check = clearcut.verify(pocket(), plan.program, tools="endmill:6", dialect="linuxcnc", copies="2x1", gap=10)
         self.assertEqual(check.copies["clean_parts"], 2)
         self.assertIsNone(clearcut.plan(pocket(), tools="endmill:6").copies)
+        with self.assertRaisesRegex(clearcut.InputError, "--gap: lies between copies"):
+            clearcut.plan(pocket(), tools="endmill:6", gap=10)
 
     def test_parts_of_several_kinds_lie_on_one_sheet(self):
         plate, flat = str(EXAMPLES / "inlay_hole.dxf"), str(EXAMPLES / "inlay_plug.dxf")
@@ -485,8 +487,6 @@ class Own(unittest.TestCase):
         self.assertIn(flat, plan.inputs)
         check = clearcut.verify(plate, plan.program, dialect="linuxcnc", **sheet)
         self.assertEqual(check.copies["clean_parts"], plan.copies["clean_parts"])
-        with self.assertRaisesRegex(clearcut.InputError, "--gap: lies between copies"):
-            clearcut.plan(pocket(), tools="endmill:6", gap=10)
 
     def test_names_are_not_taken_twice(self):
         with self.assertRaisesRegex(clearcut.InputError, "'contour' is taken"):

@@ -10,7 +10,6 @@
 #include "features/round_hole.h"
 #include "geometry/contours/boolean.h"
 #include "geometry/voronoi/clearance.h"
-#include "model/cutter_profile.h"
 
 namespace clearcut::features {
 namespace {
@@ -268,6 +267,10 @@ bool keeps_fillet(const Tool& tool, const Feature& feature) {
   return end_radius_of(tool) >= feature.floor_fillet - kSameEndRadius;
 }
 
+bool makes_fillet(const Tool& tool, const Feature& feature) {
+  return std::abs(end_radius_of(tool) - feature.floor_fillet) <= kSameEndRadius;
+}
+
 int tool_for_tabs(const Feature& feature, int chosen, const std::vector<Tool>& tools) {
   if (!is_carved(feature, tools[static_cast<std::size_t>(chosen)])) return chosen;
   const std::vector<int> mills = mills_by_size(tools);
@@ -280,8 +283,7 @@ namespace {
 int fillet_tool(const Feature& feature, const std::vector<Tool>& tools, double fits) {
   int best = -1;
   for (std::size_t i = 0; i < tools.size(); ++i) {
-    if (std::abs(end_radius_of(tools[i]) - feature.floor_fillet) > kSameEndRadius || tools[i].diameter > fits)
-      continue;
+    if (!makes_fillet(tools[i], feature) || tools[i].diameter > fits) continue;
     if (best < 0 || tools[i].diameter > tools[static_cast<std::size_t>(best)].diameter)
       best = static_cast<int>(i);
   }
@@ -338,13 +340,14 @@ int tool_for(const Feature& feature, const std::vector<Tool>& tools, const std::
     if (const int round = fillet_tool(feature, tools, fits); round >= 0) return round;
   }
   int best = 0;
-  const bool may_be_milled = std::any_of(tools.begin(), tools.end(), [&](const Tool& tool) {
-    return clears_floors(tool) && tool.diameter <= fits && has_room_to_enter(feature, tool, tol);
-  });
+  const bool may_be_milled =
+      hole && std::any_of(tools.begin(), tools.end(), [&](const Tool& tool) {
+        return clears_floors(tool) && tool.diameter <= fits && has_room_to_enter(feature, tool, tol);
+      });
   // In a hole shallower than its point a drill never comes to its width.
   const auto drills = [&](const Tool& tool) {
     return hole && tool.kind == ToolKind::kDrill && makes_hole(tool, *hole, tol) &&
-           (!may_be_milled || outer_profile(tool).full_height() <= feature.top_z - feature.floor_z);
+           (!may_be_milled || point_length(tool) <= feature.top_z - feature.floor_z);
   };
   const auto leaves_corner = [](const Tool& tool) { return end_radius_of(tool) < kSameEndRadius; };
   const auto better = [&](const Tool& a, const Tool& b) {

@@ -37,6 +37,9 @@ bool keeps_walls(const Tool& tool, const Feature& feature);
 /// Whether the tool's end leaves the fillet between the feature's floor and walls whole: sharper ends cut into it.
 bool keeps_fillet(const Tool& tool, const Feature& feature);
 
+/// Whether the tool's end has the radius of that fillet.
+bool makes_fillet(const Tool& tool, const Feature& feature);
+
 /// For chamfers a cone; for T-slots the first T-slot cutter; for V-carving and engraving the first tool that carves
 /// by its shape; for profiles the largest mill that reaches all but 1 mm2 of their corners; else a drill of the
 /// hole's size, or the largest mill that keeps the walls and has a legal position in the feature. If no tool fits,

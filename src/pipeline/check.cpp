@@ -412,7 +412,7 @@ CheckResult check_resolved(const Part& part, const ProgramText& text, const reso
       check(result.part, result.toolpath, result.control, read.conditions, result.dialect, plan, stated);
   if (resolve::writes_wear(options.shop))
     check_wear(result.findings,
-               {wear_range_of(options.shop), read.compensated_tools, &result.part, &result.toolpath},
+               {resolve::wear_range_of(options.shop), read.compensated_tools, &result.part, &result.toolpath},
                [&](double wear) {
                  auto shifted = read_program(text, options, tools, part.top_z(), by_hand, wear);
                  const Part cut = worn(result.part, read.compensated_tools, wear);

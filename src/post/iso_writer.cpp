@@ -656,9 +656,7 @@ void IsoWriter::end_rapid() {
 }
 
 bool IsoWriter::is_compensated(const Section& section) const {
-  if (!options_.wear) return false;
-  const auto& steps = options_.wear->workingsteps;
-  return std::find(steps.begin(), steps.end(), section.workingstep) != steps.end();
+  return options_.wear && options_.wear->shifts(section.workingstep);
 }
 
 void IsoWriter::refuse_compensation(const Section& section, const std::string& why) const {

@@ -238,13 +238,10 @@ void resolve_shop(ResolvedPlan& plan, const ShopOptions& shop) {
   if (plan.material && !plan.material->has_forces()) plan.material.reset();
 }
 
-/// mm, where nothing is said.
-constexpr double kWearRange = 0.1;
-
 /// What the control is to compensate: all passes that finish walls.
 std::optional<WearCompensation> wear_of(const Part& part, const ShopOptions& shop) {
   if (!writes_wear(shop)) return std::nullopt;
-  WearCompensation wear{{}, shop.wear_range.value_or(kWearRange)};
+  WearCompensation wear{{}, wear_range_of(shop)};
   for (std::size_t i = 0; i < part.workplan.size(); ++i)
     if (part.workplan[i].operation.kind == OperationKind::kSideFinishing)
       wear.workingsteps.push_back(static_cast<int>(i));

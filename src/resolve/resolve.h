@@ -45,6 +45,9 @@ Finish finish_of(const ShopOptions& shop);
 /// Whether programs are to have their control compensate for wear.
 bool writes_wear(const ShopOptions& shop);
 
+/// mm that D words may be off 0 either way.
+double wear_range_of(const ShopOptions& shop);
+
 /// For milled features one step more for each smaller mill of the part, on what is left: for all where rest machining is
 /// asked for, else for those whose tool was chosen by size and under which others lie, since what stands there would stand in their way. Such steps come
 /// before the first step underneath, the others after all steps there are, tool by tool.

@@ -20,6 +20,7 @@ namespace {
 
 constexpr double kWallStock = 0.3;   // mm; default
 constexpr double kFloorStock = 0.2;  // mm
+constexpr double kWearRange = 0.1;   // mm; default
 constexpr const char* kForFinishing = "stock for the finishing steps on top";
 /// Size of leads as a share of the cutter's radius.
 constexpr double kLead = 0.5;
@@ -257,6 +258,10 @@ Finish finish_of(const ShopOptions& shop) {
 
 bool writes_wear(const ShopOptions& shop) {
   return shop.compensation == "wear";
+}
+
+double wear_range_of(const ShopOptions& shop) {
+  return shop.wear_range.value_or(kWearRange);
 }
 
 void add_rest_steps(Part& part, const PlanOptions& options, StepSources& sources) {

@@ -2,6 +2,7 @@
 // work offset, and the end position after all cuts.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -72,6 +73,10 @@ inline constexpr std::string_view kKnownWorkOffsets =
 struct WearCompensation {
   std::vector<int> workingsteps;  ///< whose passes are shifted
   double range = 0;               ///< mm that D may hold either way
+
+  bool shifts(int workingstep) const {
+    return std::find(workingsteps.begin(), workingsteps.end(), workingstep) != workingsteps.end();
+  }
 };
 
 struct PostOptions {

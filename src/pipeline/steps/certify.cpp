@@ -177,10 +177,8 @@ constexpr double kRangesFromCorners = 4;
 
 /// mm; 0: a pass that the control does not shift may begin anywhere.
 double lead_from_corners(const ResolvedPlan& plan, int workingstep) {
-  if (!plan.post.wear) return 0;
-  const auto& shifted = plan.post.wear->workingsteps;
-  const bool is_shifted = std::find(shifted.begin(), shifted.end(), workingstep) != shifted.end();
-  return is_shifted ? kRangesFromCorners * plan.post.wear->range : 0;
+  const auto& wear = plan.post.wear;
+  return wear && wear->shifts(workingstep) ? kRangesFromCorners * wear->range : 0;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "base/tolerances.h"
 #include "features/round_hole.h"
+#include "features/tool_choice.h"
 #include "geometry/contours/boolean.h"
 #include "geometry/region.h"
 #include "geometry/voronoi/clearance.h"
@@ -28,8 +29,6 @@ constexpr int kHalvings = 10;    // of the searched range of diameters
 constexpr double kSmallest = 0.1;
 /// mm; distance inside a piece's edge of the point by which the piece is identified.
 constexpr double kInside = 1e-3;
-/// mm. An end with a greater difference of radius leaves another shape than the fillet.
-constexpr double kSameRound = 0.002;
 
 double allowed_to_stay(double area) {
   return std::min(kShare * area, kCorners);
@@ -225,7 +224,7 @@ std::string end_that_leaves(const Part& part, const Feature& feature, const Feat
                             const Tolerances& tol) {
   const Tool& tool = tool_of(part, part.workplan[static_cast<std::size_t>(found.workingstep)]);
   const double flat = flat_end(tool);
-  if (outer_profile(tool).round < feature.floor_fillet - kSameRound)
+  if (!features::keeps_fillet(tool, feature))
     return ", which keeps off the fillet of " + trimmed(feature.floor_fillet, 3) +
            " mm between floor and walls; a cutter with this corner radius makes it";
   if (flat >= tool.radius()) return "";
@@ -241,10 +240,7 @@ std::string end_that_leaves(const Part& part, const Feature& feature, const Feat
 const Tool* fillet_tool(const Part& part, const Feature& feature) {
   for (const Workingstep& step : part.workplan) {
     const Tool& tool = tool_of(part, step);
-    const double round = outer_profile(tool).round;
-    if (&feature_of(part, step) == &feature && round > 0 &&
-        std::abs(round - feature.floor_fillet) < kSameRound)
-      return &tool;
+    if (&feature_of(part, step) == &feature && features::makes_fillet(tool, feature)) return &tool;
   }
   return nullptr;
 }

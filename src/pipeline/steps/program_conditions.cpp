@@ -198,9 +198,6 @@ std::optional<Condition> cuts_nothing(const Findings& findings) {
 
 namespace {
 
-/// mm, where nothing is said.
-constexpr double kUsualWearRange = 0.1;
-
 bool is_known(const std::vector<Fault>& faults, const Fault& fault) {
   return std::any_of(faults.begin(), faults.end(), [&](const Fault& other) {
     return other.kind == fault.kind && other.feature == fault.feature;
@@ -245,10 +242,6 @@ Part worn(Part part, const std::vector<int>& numbers, double wear) {
     part.tools[i].diameter += 2 * wear;
   }
   return part;
-}
-
-double wear_range_of(const ShopOptions& shop) {
-  return shop.wear_range.value_or(kUsualWearRange);
 }
 
 void check_wear(Findings& findings, const WearQuestion& question,

@@ -55,9 +55,6 @@ std::optional<Condition> cuts_nothing(const Findings& findings);
 /// The part with the cutters of `numbers` larger all round by `wear`, mm.
 Part worn(Part part, const std::vector<int>& numbers, double wear);
 
-/// mm that D words may be off 0.
-double wear_range_of(const ShopOptions& shop);
-
 /// What is asked of a program whose control compensates for wear.
 struct WearQuestion {
   double range = 0;                    ///< mm that D words may be off 0 either way

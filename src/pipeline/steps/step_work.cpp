@@ -80,14 +80,13 @@ bool is_free_above(const Part& part, const Feature& feature, const plan::RoundOn
 /// wear that the control is told for passes along the walls alone, while the cutter of all other passes of the feature is as worn.
 double off_path(int index, const ResolvedPlan& plan) {
   const double error = plan.margin ? plan.margin->at_least : 0;
-  if (!plan.post.wear) return error;
+  const auto& wear = plan.post.wear;
+  if (!wear || wear->shifts(index)) return error;
   const auto& step = plan.part.workplan[static_cast<std::size_t>(index)];
-  const std::vector<int>& shifted = plan.post.wear->workingsteps;
-  const bool is_shifted = std::find(shifted.begin(), shifted.end(), index) != shifted.end();
-  const bool wears = std::any_of(shifted.begin(), shifted.end(), [&](int other) {
+  const bool wears = std::any_of(wear->workingsteps.begin(), wear->workingsteps.end(), [&](int other) {
     return plan.part.workplan[static_cast<std::size_t>(other)].feature == step.feature;
   });
-  return wears && !is_shifted ? std::max(error, plan.post.wear->range) : error;
+  return wears ? std::max(error, wear->range) : error;
 }
 
 /// The layers of one workingstep over which something still stands. Open features cut only that, and pockets of which
