@@ -38,11 +38,19 @@ bool is_near_size(double drill, double hole) {
   return std::abs(drill - hole) <= kNearDrill + kSamePlaceMm;
 }
 
-bool is_too_narrow_for_hole(const Part& part, const Workingstep& step, const Tolerances& tol) {
+bool is_shallower_than_point(const Feature& feature, const Tool& tool, const Tolerances& tol) {
+  return tool.kind == ToolKind::kDrill &&
+         radius_at(tool, feature.top_z - feature.floor_z) < tool.radius() - tol.uncut;
+}
+
+bool leaves_hole_undone(const Part& part, const Workingstep& step, const Tolerances& tol) {
   const Tool& tool = tool_of(part, step);
+  const Feature& feature = feature_of(part, step);
   if (!makes_holes(tool) || !step.operation.is_tool_chosen) return false;
-  const auto hole = round_hole_of(feature_of(part, step), tol);
-  if (!hole || 2 * hole->radius <= tool.diameter + tol.uncut + kSamePlaceMm) return false;
+  const auto hole = round_hole_of(feature, tol);
+  if (!hole) return false;
+  const bool is_too_narrow = 2 * hole->radius > tool.diameter + tol.uncut + kSamePlaceMm;
+  if (!is_too_narrow && !is_shallower_than_point(feature, tool, tol)) return false;
   return std::count_if(part.workplan.begin(), part.workplan.end(),
                        [&](const Workingstep& other) { return other.feature == step.feature; }) == 1;
 }

@@ -33,9 +33,14 @@ inline constexpr double kNearDrill = 0.05;
 /// Whether the drill's diameter, mm, equals the hole's or is near enough to be used for the hole.
 bool is_near_size(double drill, double hole);
 
-/// Whether the step's tool has only vertical moves, is narrower than its round hole, no other step works on the hole,
-/// and the tool was not named by the user: the drilled hole would differ from the drawn one.
-bool is_too_narrow_for_hole(const Part& part, const Workingstep& step, const Tolerances& tol);
+/// Whether the tool is a drill whose point is longer than the feature is deep: a tip that ends on the floor leaves a cone
+/// that is nowhere as wide as the drill.
+bool is_shallower_than_point(const Feature& feature, const Tool& tool, const Tolerances& tol);
+
+/// Whether the step's tool has only vertical moves and cannot make its round hole, because the tool is narrower or the hole
+/// shallower than its point, no other step works on the hole, and the tool was not named by the user: the drilled hole would
+/// differ from the drawn one.
+bool leaves_hole_undone(const Part& part, const Workingstep& step, const Tolerances& tol);
 
 /// The holes that exist within reach of a workingstep's passes when the step begins, and in which a cutter no wider
 /// than the hole can descend: predrilled ones, and those made by earlier steps at least as deep as this step.

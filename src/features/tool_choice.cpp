@@ -347,7 +347,7 @@ int tool_for(const Feature& feature, const std::vector<Tool>& tools, const std::
   // In a hole shallower than its point a drill never comes to its width.
   const auto drills = [&](const Tool& tool) {
     return hole && tool.kind == ToolKind::kDrill && makes_hole(tool, *hole, tol) &&
-           (!may_be_milled || point_length(tool) <= feature.top_z - feature.floor_z);
+           (!may_be_milled || !is_shallower_than_point(feature, tool, tol));
   };
   const auto leaves_corner = [](const Tool& tool) { return end_radius_of(tool) < kSameEndRadius; };
   const auto better = [&](const Tool& a, const Tool& b) {

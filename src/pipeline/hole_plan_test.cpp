@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <string>
 
@@ -55,6 +56,29 @@ TEST(HolePlan, AThroughHoleIsDrilledByItsPointBelowTheStock) {
   EXPECT_THAT(result.program, HasSubstr("Z-14.3026 R1 "));
   const Findings shallow = changed(part, result, "Z-14.3026", "Z-13", options);
   EXPECT_TRUE(has(shallow, FaultKind::kUncut)) << faults_of(shallow);
+}
+
+/// The point of a drill of 6 mm is 1.8 mm long: a hole 1 mm deep is nowhere 6 mm wide when the point ends on its floor.
+TEST(HolePlan, AHoleShallowerThanThePointOfItsOnlyDrillIsOutOfReach) {
+  const Part part = with_circle("DRILL_D1", 6, circle("POCKET_D3", {18, 18}, 9));
+  resolve::PlanOptions options = with({"drill:6", "endmill:10"});
+  const PlanResult result = plan_part(part, options);
+  const CheckResult checked = check_program(part, result.program, "x", options);
+  for (const Findings* findings : {&result.findings, &checked.findings}) {
+    EXPECT_TRUE(findings->faults.empty()) << faults_of(*findings);
+    ASSERT_FALSE(findings->conditions.empty());
+    const auto& conditions = findings->conditions;
+    const auto open = std::find_if(conditions.begin(), conditions.end(),
+                                   [](const Condition& one) { return one.met_by.empty(); });
+    ASSERT_NE(open, conditions.end());
+    EXPECT_EQ(open->name, "out-of-reach");
+    EXPECT_THAT(open->text, HasSubstr("ends in a point of 1.803 mm, and the hole is 1 mm deep"));
+  }
+  // A program that leaves a cone in it is no better for that.
+  const Findings cone =
+      changed(part, result, "M2", "G0 Z5\nT1 M6\nG43\nM3 S1000\nG0 X5 Y-3\nG1 Z-1 F100\nG0 Z5\nM2", options);
+  EXPECT_TRUE(has(cone, FaultKind::kUncut)) << faults_of(cone);
+  expect_clean(plan_part(part, with({"drill:6:118deg", "endmill:10"})));
 }
 
 /// 0.0001 inch is 2.54 um: this place is missed by 1.8 um, and the cutter is as wide as its hole.

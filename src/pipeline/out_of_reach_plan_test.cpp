@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,32 @@ TEST(OutOfReach, IsSaidWithTheLargestCutterThatReaches) {
   EXPECT_THAT(result.findings.conditions[0].text, HasSubstr("out of the reach of T1 (10 mm)"));
   EXPECT_THAT(result.findings.conditions[0].text,
               HasSubstr("the largest cutter that reaches all but 1 mm2 has 2.1"));
+}
+
+/// What the flutes do not reach is left out, on sheets of copies as alone; plan and check say the same of it.
+TEST(OutOfReach, IsAPocketDeeperThanTheFlutesBesideWorkThatIsDone) {
+  const Part part = drawn(box("POCKET_D2", 0, 0, 20, 10) + box("POCKET_D70", 30, 0, 50, 10));
+  for (const bool on_sheet : {false, true}) {
+    resolve::PlanOptions options = by_contour("endmill:5");
+    if (on_sheet) {
+      options.copies.sheet = "120x40";
+      options.copies.gap = 8;
+      options.copies.edge = 5;
+    }
+    const PlanResult result = plan_part(part, options);
+    const CheckResult checked = check_program(part, result.program, "x", options);
+    for (const Findings* findings : {&result.findings, &checked.findings}) {
+      EXPECT_EQ(verdict_of(*findings), Verdict::kConditional) << faults_of(*findings);
+      const auto& all = findings->conditions;
+      EXPECT_TRUE(std::any_of(all.begin(), all.end(), [](const Condition& one) {
+        return one.name == "out-of-reach" && one.met_by.empty() &&
+               one.text.find("POCKET_D70") != std::string::npos &&
+               one.text.find("70 mm deep, 14 diameters of T1") != std::string::npos;
+      }));
+    }
+    options.accept = {"out-of-reach"};
+    EXPECT_EQ(verdict_of(plan_part(part, options).findings), Verdict::kClean);
+  }
 }
 
 TEST(OutOfReach, IsAConditionOfTheVerdictWhereItIsMuch) {

@@ -24,6 +24,7 @@
 #include "model/section_names.h"
 #include "pipeline/selection/selection.h"
 #include "pipeline/steps/certify.h"
+#include "pipeline/steps/out_of_reach.h"
 #include "pipeline/steps/section_order.h"
 #include "pipeline/steps/step_work.h"
 #include "plan/common/clearing_area.h"
@@ -257,7 +258,11 @@ std::string does_not_fit(const Part& part, const Workingstep& step, const Tolera
                        tool_of(part, step).number, name_of(tool_of(part, step).kind),
                        trimmed(tool_of(part, step).diameter, 4), feature_of(part, step).name);
   }
-  if (features::is_too_narrow_for_hole(part, step, tol))
+  const Tool& tool = tool_of(part, step);
+  const Feature& feature = feature_of(part, step);
+  if (features::leaves_hole_undone(part, step, tol) && features::is_shallower_than_point(feature, tool, tol))
+    return "tool " + point_longer_than_hole(feature, tool);
+  if (features::leaves_hole_undone(part, step, tol))
     return fmt::format(
         "tool T{0} ({1} {2} mm) makes no hole of {3} mm; give one that does, for example --tool drill:{3}",
         tool_of(part, step).number, name_of(tool_of(part, step).kind),

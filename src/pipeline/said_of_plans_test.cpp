@@ -18,6 +18,28 @@ TEST(WhatPlansSay, TabsThatFitNowhereInACutOutAreACondition) {
                           [](const Condition& one) { return one.name == "loose-part"; }));
 }
 
+/// Whether a profile goes through is known where the stock is; without it a note says what would follow.
+TEST(WhatPlansSay, AProfileThatNothingHoldsIsSaidWithoutAStockToo) {
+  const auto notes = [](const std::string& more, const resolve::PlanOptions& options) {
+    std::string text;
+    const PlanResult result = plan_part(drawn(box("PROFILE_D3", 0, 0, 30, 20) + more), options);
+    for (const Diagnostic& one : result.part.diagnostics.items())
+      if (one.what.find("nothing holds what is cut out") != std::string::npos) text += one.where + "\n";
+    return text;
+  };
+  resolve::PlanOptions options = with({"endmill:3"});
+  EXPECT_EQ(notes("", options), "PROFILE_D3\n");
+  EXPECT_EQ(notes(box("STOCK_D3", -9, -9, 39, 29), options), "") << "the condition says it";
+  options.accept = {"loose-part"};
+  EXPECT_EQ(notes("", options), "");
+  options.accept = {};
+  options.tabs.count = 2;
+  EXPECT_EQ(notes("", options), "");
+  options.tabs = {};
+  options.tabs.skin = 0.3;
+  EXPECT_EQ(notes("", options), "");
+}
+
 TEST(WhatPlansSay, APocketNoDeeperThanWhatMayStayIsSaid) {
   const PlanResult result = plan_part(
       drawn(box("POCKET_D0.004", 0, 0, 30, 20) + box("POCKET_D3", 40, 0, 70, 20)), with({"endmill:3"}));

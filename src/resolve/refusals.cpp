@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "base/error.h"
 #include "base/text.h"
@@ -16,12 +20,15 @@
 #include "model/results/nothing_to_machine.h"
 #include "resolve/features/clamps.h"
 #include "resolve/resolve.h"
+#include "resolve/unreached.h"
 
 namespace clearcut::resolve {
 namespace {
 
 /// mm. Heights nearer than this are one.
 constexpr double kLevel = 0.01;
+/// mm. Features nearer than this have no wall between them.
+constexpr double kBeside = 0.01;
 /// Relative difference of areas that are one.
 constexpr double kSameArea = 1e-6;
 /// mm. Permitted depth below the material of a cut not marked as going through: the surface below the board bears
@@ -141,30 +148,33 @@ double longest_with_tool_of(const Part& part, const Workingstep& step, const Tol
   return longest;
 }
 
-void refuse_beyond_flutes(const Part& part, const Workingstep& step, const Tolerances& tol) {
+/// Why the feature lies deeper than the flutes of the step's tool reach; nothing if it does not.
+std::optional<std::string> beyond_flutes(const Part& part, const Workingstep& step, const Tolerances& tol) {
   const Feature& feature = feature_of(part, step);
   const Tool& tool = tool_of(part, step);
   // Rows of teeth cut a thread in several passes; their shank is narrower.
-  if (tool.kind == ToolKind::kThreadMill || tool.kind == ToolKind::kTSlot) return;
+  if (tool.kind == ToolKind::kThreadMill || tool.kind == ToolKind::kTSlot) return std::nullopt;
   if (tool.flute_length) {
-    if (part.top_z() - feature.floor_z <= *tool.flute_length + kLevel) return;
+    if (part.top_z() - feature.floor_z <= *tool.flute_length + kLevel) return std::nullopt;
     const double height = height_beside_tool(part, step, tol);
-    if (height <= *tool.flute_length + kLevel) return;
-    throw InputError(
-        feature.name,
-        fmt::format("its floor lies {} mm below the top of the material around it and the flutes "
-                    "of T{} are {} mm long; use a longer tool or less depth",
-                    trimmed(height, 3), tool.number, trimmed(*tool.flute_length, 3)));
+    if (height <= *tool.flute_length + kLevel) return std::nullopt;
+    return fmt::format(
+        "its floor lies {} mm below the top of the material around it and the flutes "
+        "of T{} are {} mm long; use a longer tool or less depth",
+        trimmed(height, 3), tool.number, trimmed(*tool.flute_length, 3));
   }
   const double depth = feature.top_z - feature.floor_z;
   const bool drills = makes_holes(tool) || tool.kind == ToolKind::kTap;
-  if (depth <= (drills ? kReachOfDrill : kReachOfMill) * tool.diameter + kLevel) return;
-  throw InputError(
-      feature.name,
-      fmt::format("it is {} mm deep, {} diameters of T{}; if the flutes reach that far say so "
-                  "(--tool {}:{}:length={}, flute_length in files), else use less depth",
-                  trimmed(depth, 3), trimmed(depth / tool.diameter, 0), tool.number, name_of(tool.kind),
-                  trimmed(tool.diameter, 4), trimmed(longest_with_tool_of(part, step, tol), 3)));
+  if (depth <= (drills ? kReachOfDrill : kReachOfMill) * tool.diameter + kLevel) return std::nullopt;
+  return fmt::format(
+      "it is {} mm deep, {} diameters of T{}; if the flutes reach that far say so "
+      "(--tool {}:{}:length={}, flute_length in files), else use less depth",
+      trimmed(depth, 3), trimmed(depth / tool.diameter, 0), tool.number, name_of(tool.kind),
+      trimmed(tool.diameter, 4), trimmed(longest_with_tool_of(part, step, tol), 3));
+}
+
+void refuse_beyond_flutes(const Part& part, const Workingstep& step, const Tolerances& tol) {
+  if (const auto why = beyond_flutes(part, step, tol)) throw InputError(feature_of(part, step).name, *why);
 }
 
 double widest_radius(const Part& part) {
@@ -278,12 +288,17 @@ void refuse_plunges(const Part& part, const PlanOptions& options) {
   }
 }
 
-void refuse_step(const Part& part, const Workingstep& step, const Tolerances& tol) {
+/// Reasons other than the length of the tool.
+void refuse_place_or_kind(const Part& part, const Workingstep& step) {
   refuse_beside_stock(part, feature_of(part, step));
   refuse_below_stock(part, feature_of(part, step));
   refuse_wrong_kind(part, step);
-  refuse_beyond_flutes(part, step, tol);
   refuse_under_clamps(part, step);
+}
+
+void refuse_step(const Part& part, const Workingstep& step, const Tolerances& tol) {
+  refuse_place_or_kind(part, step);
+  refuse_beyond_flutes(part, step, tol);
 }
 
 /// Entities of STEP-NC have numbers.
@@ -388,10 +403,51 @@ void tell_of_shallow(Part& part, const Tolerances& tol) {
                                         trimmed(tol.uncut, 4)));
 }
 
+namespace {
+
+/// Whether planning other features rests on material that is gone with this one: they begin at its floor, or lie beside it
+/// without a wall between.
+bool is_rested_on(const Part& part, const Feature& feature, const Tolerances& tol) {
+  const Regions around = dilate(feature.target, kBeside, tol);
+  return std::any_of(part.workplan.begin(), part.workplan.end(), [&](const Workingstep& step) {
+    const Feature& other = feature_of(part, step);
+    if (&other == &feature || other.floor_z >= feature.top_z - kLevel) return false;
+    return box(other.target).overlaps(box(around)) && !intersect(other.target, around, tol).empty();
+  });
+}
+
+/// Whether the feature may be left out alone: a pocket or a plain hole.
+bool may_be_left_out(const Part& part, const Workingstep& step, const Tolerances& tol) {
+  const Feature& feature = feature_of(part, step);
+  return !is_of_program(step) && !feature.profile && !feature.hole && !feature.chamfer &&
+         !is_formed(feature) && !is_carved(feature, tool_of(part, step)) && !is_rested_on(part, feature, tol);
+}
+
+}  // namespace
+
+std::vector<std::string> unreached_steps(const Part& part, const Tolerances& tol) {
+  std::vector<std::string> unreached;
+  std::set<int> reached;  // features that some step makes
+  for (const Workingstep& step : part.workplan) {
+    const auto why = beyond_flutes(part, step, tol);
+    unreached.push_back(why.value_or(""));
+    if (!why) reached.insert(step.feature);
+  }
+  for (std::size_t i = 0; i < unreached.size(); ++i) {
+    const Workingstep& step = part.workplan[i];
+    if (!unreached[i].empty() &&
+        (reached.empty() || reached.contains(step.feature) || !may_be_left_out(part, step, tol)))
+      unreached[i].clear();
+  }
+  return unreached;
+}
+
 void refuse_what_cannot_be(const Part& part, const PlanOptions& options) {
   refuse_low_rapids(part);
-  for (const Workingstep& step : part.workplan) {
-    refuse_step(part, step, options.tol);
+  const std::vector<std::string> unreached = unreached_steps(part, options.tol);
+  for (std::size_t i = 0; i < part.workplan.size(); ++i) {
+    refuse_place_or_kind(part, part.workplan[i]);
+    if (unreached[i].empty()) refuse_beyond_flutes(part, part.workplan[i], options.tol);
   }
   refuse_plunges(part, options);
   refuse_allowance_as_deep(part, options.tol);

@@ -66,7 +66,7 @@ void refuse_above_stock(const Part& part);
 /// `part` as prepared. Throws InputError, one line with the remedy, for: rapids at or below the top of the material; features
 /// beside the material; floors below it that are no through cuts; floors farther below the material beside the tool than the flutes of
 /// their tool are long, or (flutes unknown) features deeper than ten of its diameters, twenty for drills; cutters that
-/// may not plunge and can go down no other way; features no deeper than the stock to leave on their floors; parts that take months of cutting; starts and predrilled holes that lie in no feature.
+/// may not plunge and can go down no other way; features no deeper than the stock to leave on their floors; parts that take months of cutting; starts and predrilled holes that lie in no feature. Steps that unreached_steps() names are left out instead.
 void refuse_what_cannot_be(const Part& part, const PlanOptions& options);
 
 /// Warns of features no deeper than the permitted uncut thickness: the checks treat them as cut without any cutting.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "base/error.h"
@@ -398,6 +399,23 @@ void leave_tabs_as_high_as_asked(Workingstep& above, StepSources& sources) {
   sources[step_key(above)].set("allowance-floor", {Origin::kDerived, "tabs are as high as they are asked"});
 }
 
+bool is_accepted(const PlanOptions& options, std::string_view condition) {
+  return std::find(options.accept.begin(), options.accept.end(), condition) != options.accept.end();
+}
+
+/// Without a stated stock nobody knows whether a profile goes through; where one does, nothing holds what it cuts out.
+void tell_of_loose_parts(Part& part, const PlanOptions& options) {
+  const auto frees = [&](const Feature& feature) {
+    return feature.profile && feature.through && feature.profile->side == ProfileSide::kOutside &&
+           feature.profile->tabs.empty();
+  };
+  const auto found = std::find_if(part.features.begin(), part.features.end(), frees);
+  if (part.stock || found == part.features.end() || is_accepted(options, "loose-part")) return;
+  part.diagnostics.note(found->name,
+                        "no stock is stated; where the profile goes through it, nothing holds what is cut "
+                        "out: leave tabs (--tabs 3) or a skin (--skin 0.3), or hold it otherwise");
+}
+
 }  // namespace
 
 void shape_profiles(Part& part, const PlanOptions& options, StepSources& sources) {
@@ -430,6 +448,7 @@ void shape_profiles(Part& part, const PlanOptions& options, StepSources& sources
   }
   part.workplan = std::move(workplan);
   tops.raise(part);
+  tell_of_loose_parts(part, options);
 }
 
 void put_what_frees_last(Part& part) {

@@ -295,7 +295,7 @@ def state():
     def none(p):
         p.length = []
         p.approach = [block.replace("G43 H1", "G0") for block in p.approach]
-    c.add("no-length", ["fanuc", "haas", "mach3", "mach4"], none, "CONDITIONAL", "tool-length-off",
+    c.add("no-length", ["linuxcnc", "fanuc", "haas", "mach3", "mach4"], none, "CONDITIONAL", "tool-length-off",
           "rests on a zero that was touched off with the tool in the spindle", accepted=["tool-length-off"])
 
     def some(p):

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <optional>
 #include <set>
+#include <string>
 
 #include "base/text.h"
 #include "base/tolerances.h"
@@ -14,6 +17,7 @@
 #include "model/cutter_profile.h"
 #include "resolve/left_over.h"
 #include "resolve/tabs.h"
+#include "resolve/unreached.h"
 
 namespace clearcut::pipeline {
 namespace {
@@ -126,14 +130,26 @@ double largest_that_reaches(const Feature& feature, double below, const Toleranc
   return largest_hundredth(at_most, [&](double d) { return leaves.left(d) <= may_stay; });
 }
 
-/// A feature into which no cutter fits is a condition that the user may accept, and no fault of the program.
-void withdraw_fault(FeatureFindings& found, Findings& findings) {
+/// A feature into which no cutter fits is a condition that the user may accept, and no fault of the program. Returns whether
+/// there was one.
+bool withdraw_fault(FeatureFindings& found, Findings& findings) {
   const auto is_its = [&](const Fault& fault) {
     return fault.kind == FaultKind::kNothingCut && fault.feature == found.name;
   };
-  if (std::erase_if(findings.faults, is_its) == 0) return;
+  if (std::erase_if(findings.faults, is_its) == 0) return false;
   found.figures.clean = true;
   findings.all.clean = findings.faults.empty();
+  return true;
+}
+
+/// Features beyond the flutes of their tools that the program leaves out are conditions, and no faults.
+void add_unreached(const Part& part, const Tolerances& tol, Findings& findings) {
+  const std::vector<std::string> unreached = resolve::unreached_steps(part, tol);
+  for (FeatureFindings& found : findings.features) {
+    const std::string& why = unreached[static_cast<std::size_t>(found.workingstep)];
+    if (!why.empty() && withdraw_fault(found, findings))
+      findings.conditions.push_back({"out-of-reach", found.name + ": " + why, 0, ""});
+  }
 }
 
 /// A point within each piece.
@@ -307,67 +323,67 @@ std::optional<Condition> loose_part(const Part& part) {
       0, ""};
 }
 
-/// A round hole without a suitable tool: drills and other tools with vertical moves only make holes of their own
-/// width.
-struct UnmadeHole {
-  double diameter = 0;
-  const Tool* tool = nullptr;
-  std::string first;
+/// Round holes without a suitable tool, of one size.
+struct UnmadeHoles {
+  std::string first, why;
   int count = 0;
 };
 
-/// Unmade holes by diameter, with the nearest tools.
-class UnmadeHoles {
- public:
-  UnmadeHoles(const Part& part, const Tolerances& tol) : part_(part), tol_(tol) {}
+std::string no_tool_of_size(const features::RoundHole& hole, const Tool& tool) {
+  const double diameter = 2 * hole.radius;
+  const std::string width = trimmed(diameter, 3);
+  return "no tool at hand makes a hole of " + width + " mm; T" + std::to_string(tool.number) + " (" +
+         name_of(tool.kind) + " " + trimmed(tool.diameter, 3) + " mm) is " +
+         (tool.diameter < diameter ? "narrower" : "wider") +
+         "; give a drill of its size (--tool drill:" + width + ") or an end mill that fits";
+}
 
-  /// Adds the feature if it is such a hole; returns whether it is.
-  bool add(const FeatureFindings& found) {
-    const Workingstep& step = part_.workplan[static_cast<std::size_t>(found.workingstep)];
-    const Tool& tool = tool_of(part_, step);
-    const Feature& feature = feature_of(part_, found);
-    if (!makes_holes(tool) || !step.operation.is_tool_chosen ||
-        !is_nothing_in_reach(found.figures.unreachable_mm2, area(feature.target)))
-      return false;
-    const auto hole = features::round_hole_of(feature, tol_);
-    if (!hole || features::makes_hole(tool, *hole, tol_)) return false;
-    const auto same = std::find_if(holes_.begin(), holes_.end(), [&](const UnmadeHole& other) {
-      return std::abs(other.diameter - 2 * hole->radius) < kSaid && other.tool == &tool;
-    });
-    if (same != holes_.end()) return ++same->count > 0;
-    holes_.push_back({2 * hole->radius, &tool, feature.name, 1});
-    return true;
-  }
+/// Why the feature is a round hole that its tool, which has vertical moves only, does not make; nothing for other features.
+std::optional<std::string> why_unmade(const Part& part, const FeatureFindings& found, const Tolerances& tol) {
+  const Workingstep& step = part.workplan[static_cast<std::size_t>(found.workingstep)];
+  const Tool& tool = tool_of(part, step);
+  const Feature& feature = feature_of(part, found);
+  if (!makes_holes(tool) || !step.operation.is_tool_chosen ||
+      !is_nothing_in_reach(found.figures.unreachable_mm2, area(feature.target)))
+    return std::nullopt;
+  const auto hole = features::round_hole_of(feature, tol);
+  if (!hole) return std::nullopt;
+  if (!features::makes_hole(tool, *hole, tol)) return no_tool_of_size(*hole, tool);
+  if (!features::is_shallower_than_point(feature, tool, tol)) return std::nullopt;
+  return point_longer_than_hole(feature, tool);
+}
 
-  void append_to(std::vector<Condition>& conditions) const {
-    for (const UnmadeHole& one : holes_) {
-      const std::string others = one.count > 1 ? " (and " + std::to_string(one.count - 1) + " more)" : "";
-      const std::string width = trimmed(one.diameter, 3);
-      conditions.push_back({"out-of-reach",
-                            one.first + others + ": no tool at hand makes a hole of " + width + " mm; T" +
-                                std::to_string(one.tool->number) + " (" + name_of(one.tool->kind) + " " +
-                                trimmed(one.tool->diameter, 3) + " mm) is " +
-                                (one.tool->diameter < one.diameter ? "narrower" : "wider") +
-                                "; give a drill of its size (--tool drill:" + width +
-                                ") or an end mill that fits",
-                            0, ""});
-    }
-  }
+void add_hole(std::vector<UnmadeHoles>& unmade, const Feature& hole, const std::string& why) {
+  const auto same =
+      std::find_if(unmade.begin(), unmade.end(), [&](const UnmadeHoles& other) { return other.why == why; });
+  same == unmade.end() ? unmade.push_back({hole.name, why, 1}) : void(++same->count);
+}
 
- private:
-  const Part& part_;
-  const Tolerances& tol_;
-  std::vector<UnmadeHole> holes_;
-};
+Condition condition_of(const UnmadeHoles& unmade) {
+  const std::string others = unmade.count > 1 ? " (and " + std::to_string(unmade.count - 1) + " more)" : "";
+  return {"out-of-reach", unmade.first + others + ": " + unmade.why, 0, ""};
+}
 
 }  // namespace
 
+std::string point_longer_than_hole(const Feature& feature, const Tool& tool) {
+  const std::string width = trimmed(tool.diameter, 3);
+  return "T" + std::to_string(tool.number) + " (drill " + width + " mm) ends in a point of " +
+         trimmed(point_length(tool), 3) + " mm, and the hole is " +
+         trimmed(feature.top_z - feature.floor_z, 3) +
+         " mm deep; state its angle, by which it then goes deeper (--tool drill:" + width +
+         ":118deg), or give an end mill that fits";
+}
+
 std::vector<Condition> out_of_reach(const Part& part, const Findings& findings, const Tolerances& tol) {
   std::vector<Condition> conditions;
-  UnmadeHoles unmade(part, tol);
+  std::vector<UnmadeHoles> unmade;
   for (const FeatureFindings& found : findings.features) {
     const Feature& feature = feature_of(part, found);
-    if (unmade.add(found)) continue;
+    if (const auto why = why_unmade(part, found, tol)) {
+      add_hole(unmade, feature, *why);
+      continue;
+    }
     if (feature.kind == FeatureKind::kIsolation) {
       if (auto joined = not_parted(feature, found, tol)) conditions.push_back(std::move(*joined));
     }
@@ -396,7 +412,7 @@ std::vector<Condition> out_of_reach(const Part& part, const Findings& findings, 
     const bool little = left <= std::max(kShare * whole, kCorners) && left <= kMost * whole;
     conditions.push_back({"out-of-reach", text, 0, little ? "at most 2 percent or 1 mm2" : ""});
   }
-  unmade.append_to(conditions);
+  std::transform(unmade.begin(), unmade.end(), std::back_inserter(conditions), condition_of);
   return conditions;
 }
 
@@ -405,6 +421,7 @@ void add_conditions_of_part(const Part& part, const ResolvedPlan& plan, Findings
   for (Condition& one : doubts(part)) findings.conditions.push_back(std::move(one));
   if (auto loose = loose_part(part)) findings.conditions.push_back(*std::move(loose));
   for (Condition& one : out_of_reach(part, findings, plan.tol)) findings.conditions.push_back(std::move(one));
+  add_unreached(part, plan.tol, findings);
   for (FeatureFindings& found : findings.features) {
     const double whole = area(feature_of(part, found).target);
     if (is_nothing_in_reach(found.figures.unreachable_mm2, whole)) withdraw_fault(found, findings);

@@ -1,6 +1,7 @@
 // Areas out of reach of the chosen cutters, as a condition that the user must accept.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "base/tolerances.h"
@@ -17,6 +18,9 @@ namespace clearcut::pipeline {
 /// condition "not-parted" for each isolation with pieces that stay joined because gaps are narrower than the cutter.
 /// Cost O(1) insets of each such feature.
 std::vector<Condition> out_of_reach(const Part& part, const Findings& findings, const Tolerances& tol);
+
+/// A drill makes no hole shallower than its point: which one, and what does.
+std::string point_longer_than_hole(const Feature& feature, const Tool& tool);
 
 /// Adds these conditions and those of the plan to the findings: the part is not as requested until they are met or
 /// accepted. For features into which no cutter fits they replace the faults on uncut features; features not machined

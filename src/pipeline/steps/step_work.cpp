@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <string>
+#include <vector>
 
 #include "base/parallel.h"
 #include "base/progress.h"
@@ -19,6 +21,7 @@
 #include "plan/common/layers.h"
 #include "post/post.h"
 #include "resolve/left_over.h"
+#include "resolve/unreached.h"
 
 namespace clearcut::pipeline {
 namespace {
@@ -325,10 +328,12 @@ double reserve_for_digits(const ResolvedPlan& plan) {
 
 std::vector<StepWork> step_works(const ResolvedPlan& plan, const std::vector<double>& reserve_shares) {
   std::vector<StepWork> works(plan.part.workplan.size());
+  const std::vector<std::string> unreached = resolve::unreached_steps(plan.part, plan.tol);
   on_threads(plan.threads, [&] {
     parallel_in_order(works.size(), [&](std::size_t i) {
       throw_if_cancelled(plan.cancel);
-      works[i] = step_work(static_cast<int>(i), plan, reserve_shares);
+      works[i].workingstep = static_cast<int>(i);
+      if (unreached[i].empty()) works[i] = step_work(static_cast<int>(i), plan, reserve_shares);
     });
   });
   return works;

@@ -283,7 +283,7 @@ std::optional<Section> hole_step(const std::vector<Layer>& layers, int workingst
     const link::HoleWork work = work_of(*hole, layers);
     const link::LinkOptions link = link_options(plan, workingstep, step.entry_at_limit);
     if (is_drilled(*hole, step, tool, plan.tol) &&
-        !features::is_too_narrow_for_hole(plan.part, planned, plan.tol)) {
+        !features::leaves_hole_undone(plan.part, planned, plan.tol)) {
       const bool chips = feature.hole && feature.hole->chip_break;
       const bool feeds_out =
           tool.kind == ToolKind::kReamer ||

@@ -231,10 +231,12 @@ class Finder {
   std::vector<Feature> found_;
   std::vector<std::string> flat_drilled_;  ///< holes with a flat floor that a drill ends with its cone
   std::vector<std::string> pierced_;       ///< holes whose drill goes through the solid below a flat floor
+  std::vector<std::string> deepened_;      ///< holes whose drill goes below a flat floor with its point
   std::vector<std::string> flat_cones_;    ///< holes that end in a cone, cut flat without a drill
   std::vector<std::string>
       other_points_;         ///< holes that end in another cone than that of their drill's point
   double point_left_ = 0;    ///< mm; height of the highest cone left on flat floors
+  double point_below_ = 0;   ///< mm; length of the longest point below a flat floor
   Diagnostics thin_;         ///< floors not worth a cut
   double deepest_thin_ = 0;  ///< mm; depth of the deepest of these floors
   std::set<int> reached_;    ///< indices of cells
@@ -504,10 +506,17 @@ bool Finder::is_pierced(const Feature& hole, double point) const {
 void Finder::end_hole(Feature& hole, const SolidFace& floor) {
   const Tool* const drill = drill_of(hole);
   if (floor.level) {
-    if (drill && drill->tip_angle && is_pierced(hole, point_length(*drill))) pierced_.push_back(hole.name);
-    if (!drill || drill->tip_angle) return;
-    flat_drilled_.push_back(hole.name);
-    point_left_ = std::max(point_left_, point_length(*drill));
+    if (!drill) return;
+    const double point = point_length(*drill);
+    if (!drill->tip_angle) {
+      flat_drilled_.push_back(hole.name);
+      point_left_ = std::max(point_left_, point);
+    } else if (is_pierced(hole, point)) {
+      pierced_.push_back(hole.name);
+    } else {
+      deepened_.push_back(hole.name);
+      point_below_ = std::max(point_below_, point);
+    }
   } else if (!drill) {
     flat_cones_.push_back(hole.name);
   } else if (!hole.hole) {
@@ -532,6 +541,12 @@ void Finder::report_hole_ends() {
     doubt("below the flat floor of " + some_of(pierced_) +
           " the point of the drill goes through what is left of the solid; --op pocket:" + pierced_.front() +
           " mills the floor");
+  if (!deepened_.empty())
+    part_.diagnostics.doubt(file_name_, kNotAsDrawn,
+                            "the point of the drill goes below the flat floor of " + some_of(deepened_) +
+                                ", up to " + trimmed(point_below_, 3) +
+                                " mm, as its angle is stated; --op pocket:" + deepened_.front() +
+                                " mills the floor, and a drill without an angle ends there with its point");
   if (!flat_cones_.empty())
     doubt("the cone at the end of " + some_of(flat_cones_) +
           " is not cut: the hole ends flat where it begins; a drill as wide as the hole makes it");

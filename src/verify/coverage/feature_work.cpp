@@ -179,7 +179,7 @@ struct FinestWork {
   double allowance_side = 0;
   double above = 0;  ///< mm over the floor down to which the step clears: holes end in the cone of a drill
   CutterProfile profile;  ///< an outer bound
-  /// The tool has only vertical moves, and its hole is narrower than the drawn one.
+  /// The tool has only vertical moves, and its hole is narrower than the drawn one, or the drawn one is shallower than its point.
   bool is_other_hole = false;
 };
 
@@ -195,9 +195,11 @@ bool covers(const FinestWork& a, const FinestWork& b) {
 FinestWork work_of(const Feature& feature, const Tool& tool, double allowance_side, const Tolerances& tol) {
   const bool is_hole = feature.kind == FeatureKind::kRoundHole || feature.hole;
   const CutterProfile profile = outer_profile(tool);
-  const bool is_other_hole =
-      makes_holes(tool) && feature.target.size() == 1 &&
-      2 * std::sqrt(area(feature.target) / kPi) > tool.diameter + tol.uncut + kSamePlaceMm;
+  const bool is_wider = makes_holes(tool) && feature.target.size() == 1 &&
+                        2 * std::sqrt(area(feature.target) / kPi) > tool.diameter + tol.uncut + kSamePlaceMm;
+  const bool is_shallower = is_hole && tool.kind == ToolKind::kDrill &&
+                            profile.radius_at(feature.top_z - feature.floor_z) < tool.radius() - tol.uncut;
+  const bool is_other_hole = is_wider || is_shallower;
   if (is_hole && tool.kind == ToolKind::kDrill)
     return {tool.radius(), tool.radius(), allowance_side, profile.full_height() + tol.uncut,
             profile,       is_other_hole};

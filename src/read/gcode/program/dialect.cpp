@@ -90,6 +90,7 @@ constexpr DialectRules linuxcnc_rules() {
   rules.name = "linuxcnc";
   rules.title = "LinuxCNC";
   rules.planner = MotionPlanner::kLinuxCnc;
+  rules.needs_lengths = true;
   rules.macros = MacroLanguage::kLinuxCnc;
   rules.g.sets = kProbing | kDrillCycles | kToolLengths | kStatedLengths | kFractionalOffsets | kKeptShifts |
                  kExactStopBesidePath | kStoredPlaces | kAbsoluteCenters | kCompensation | kStatedRadii;
