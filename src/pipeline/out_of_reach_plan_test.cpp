@@ -196,5 +196,18 @@ TEST(OutOfReach, IsTheFloorBesideAFilletWhereABallMakesBoth) {
   EXPECT_EQ(says({"bullnose:6:corner=1.5"}), "");
 }
 
+/// At the top of a pocket less deep than its radius a ball is narrower than its distance from the walls: its passes lie nearer to each
+/// other, so that nothing stands up to the top between them.
+TEST(OutOfReach, OfABallInAShallowPocketIsNothingAboveTheCusps) {
+  auto options = with({"ball:6"});
+  options.accept = {"out-of-reach"};
+  for (const double width : {16, 23}) {
+    for (const char* layer : {"POCKET_D0.5", "POCKET_D2", "POCKET_D2.9", "POCKET_D4"}) {
+      const auto result = plan_part(drawn(box(layer, 0, 0, width, 20)), options);
+      EXPECT_EQ(verdict_of(result.findings), Verdict::kClean) << layer << faults_of(result.findings);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace clearcut::pipeline

@@ -117,6 +117,9 @@ def cutters():
               part="filleted.json", tools=[f"{mill}:T1"])
     c.add("fillet-left-out", CYCLES, stepped(6), "FAULTY", "uncut", "leaves the fillet out, whose mill is given and never called",
           part="filleted.json", tools=["endmill:6:T1", "bullnose:6:corner=1:T2"], asked={"accept": ["out-of-reach"]})
+    c.add("wall-over-fillet", CYCLES, cleared([1, 4, 7]), "FAULTY", "uncut",
+          "follows the way of a bull-nose with a mill as narrow as its flat, 1 mm off the walls",
+          part="filleted.json", tools=["endmill:4:T1", "bullnose:6:corner=1:T2"], asked={"accept": ["out-of-reach"]})
     c.right("right-fillet", CYCLES, cleared([1, 4, 7]), "makes the fillet by an end of its radius", part="filleted.json",
             tools=["bullnose:6:corner=1:T1"])
 

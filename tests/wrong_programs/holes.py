@@ -63,8 +63,9 @@ def tap(drill=-11.502, spindle="M3 S400", word="G84", z=-9.5, f=400):
     return two_tools(drill, spindle, lambda p: cycle(p, word, z, 3, f) if word else [])
 
 
-def helix(pitch=1.5, radius=4.0, turn="G3", low=-9.5, lead=None, turns=7):
-    """A thread milled upwards, round and round; `lead`: how far its ways in and out climb."""
+def helix(pitch=1.5, radius=4.0, turn="G3", low=-9.5, lead=None, turns=7, stops=None):
+    """A thread milled upwards, round and round; `lead`: how far its ways in and out climb; `stops`: the turn before which the spindle
+    is stopped."""
     def blocks(p):
         t, n = p.t, p.t.n
         climb = pitch / 4 if lead is None else lead
@@ -74,7 +75,9 @@ def helix(pitch=1.5, radius=4.0, turn="G3", low=-9.5, lead=None, turns=7):
             out.append(f"{turn} X{n(x)} Y{n(10)} Z{n(z)} I{n(i)} J{n(0)} F{n(300)}")
         half(10 + radius, radius / 2, low)
         z = low
-        for _ in range(turns):
+        for k in range(turns):
+            if k == stops:
+                out.append("M5")
             half(10 - radius, -radius, z + pitch / 2)
             half(10 + radius, radius, z + pitch)
             z += pitch
@@ -130,6 +133,8 @@ def holes():
     c.add("thread-wide", CYCLES, thread(radius=4.05), "FAULTY", "gouge", "goes 0.05 mm beyond the diameter", **milled)
     c.add("thread-lead", CYCLES, thread(lead=0), "FAULTY", "thread", "comes in level, across the thread", **milled)
     c.add("thread-shallow", CYCLES, thread(low=-6.5, turns=5), "FAULTY", "uncut", "ends the thread early", **milled)
+    for stops in (0, 1, 4):
+        c.add(f"thread-stopped-{stops}", CYCLES, thread(stops=stops), "FAULTY", "spindle-off", "stops the spindle within the thread", **milled)
     sunk = {"part": "sunk.dxf", "tools": ["drill:4.5:T1", "chamfer:90deg:10:tip=0.4:T2"]}
     c.right("right-sink", CYCLES, sink(), "sinks to the diameter", **sunk)
     c.add("sink-deep", CYCLES, sink(-4.32), "FAULTY", "gouge", "sinks 20 um too deep", **sunk)

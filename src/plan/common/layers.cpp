@@ -51,6 +51,12 @@ Layer outline_at(const Feature& feature, double z, const Tolerances& tol) {
   return layer;
 }
 
+/// mm; radius of a ball end at the top of a feature that is less deep than the ball: what its passes leave between them stands up to
+/// the top.
+double radius_at_top(double ball, double depth) {
+  return depth >= ball ? ball : std::sqrt(std::max(0.0, depth * (2 * ball - depth)));
+}
+
 /// Whether passes planned for one of these layers can be used in the other, at its own depth.
 bool same_areas(const Layer& a, const Layer& b) {
   return a.tool_radius == b.tool_radius && a.wall_stock == b.wall_stock && a.reserve == b.reserve &&
@@ -81,16 +87,18 @@ std::vector<Layer> layers_of(const Feature& feature, const Operation& operation,
                              const Tolerances& tol, const RoundedEnd& end, double stock_above) {
   const double draft = feature.wall_slope.radians();
   const bool is_ball = end.round >= tool_radius, is_near = end.touches_walls && draft > 0 && end.round > 0;
-  const double rounded = is_ball ? 0.0 : end.round;
   const double beside = is_near ? RoundOnWall{end.round, draft}.beside() : end.round;
   const double floor_z = feature.floor_z + operation.allowance_floor;
+  const double cleared =
+      is_ball ? std::min(beside, radius_at_top(end.round, feature.top_z - floor_z)) : tool_radius - end.round;
+  const double rounded = is_ball ? beside - cleared : end.round;
   std::vector<Layer> layers;
   double top = feature.top_z + stock_above;
   for (const double z : layer_heights(top, floor_z, step_for(feature, operation, tool_radius, end))) {
     Layer layer = outline_at(feature, z, tol);
     layer.z_top = top;
-    layer.tool_radius = is_ball ? beside : tool_radius - rounded;
-    layer.wall_stock = operation.allowance_side + (is_ball ? 0.0 : beside);
+    layer.tool_radius = cleared;
+    layer.wall_stock = operation.allowance_side + (is_ball ? rounded : beside);
     layer.rounded = rounded;
     top = z;
     if (!layer.target.empty() && !layer.allowed.empty()) layers.push_back(std::move(layer));

@@ -34,8 +34,8 @@ struct RoundedEnd {
 /// A cutter with rounded corners cuts the floor only with the flat part of its end. It is planned as a cutter with a
 /// radius smaller by the rounding, with correspondingly more distance from vertical walls; it touches inclined walls
 /// over its tip, and comes nearer to them. Ball ends have no flat part and are planned as flat ones as wide as their
-/// distance from walls. `stock_above`: height of the material left by earlier work above the top of the feature, mm;
-/// the first layer begins at the top of this material.
+/// distance from walls, but no wider than the ball is at the top of the feature. `stock_above`: height of the material
+/// left by earlier work above the top of the feature, mm; the first layer begins at the top of this material.
 std::vector<Layer> layers_of(const Feature& feature, const Operation& operation, double tool_radius,
                              const Tolerances& tol, const RoundedEnd& end = {}, double stock_above = 0);
 

@@ -48,8 +48,8 @@ class CoverageProof {
         followed_(fine ? tol.uncut : widest_),
         target_(*question.target),
         known_(target_.box().grown(question.radius)),
-        legal_(*question.part, question.z, question.radius + question.allowance,
-               question.radius - question.flat, known_, tol),
+        legal_(*question.part, question.z, question.radius + question.allowance, question.corner, known_,
+               tol),
         deviation_(legal_.boundary().edges().size(), -1) {
     std::map<double, std::vector<Edge>> paths;
     for (const Swath& swath : question.swaths) paths[swath.radius].push_back(swath.path);

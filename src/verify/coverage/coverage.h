@@ -30,6 +30,8 @@ struct CoverageQuestion {
   double path_tolerance = 0;
   double above = 0;  ///< mm; height over this level of the highest tip counted as cutting it
   std::vector<Swath> swaths;
+  double corner =
+      0;  ///< mm; radius of the rounding at its tip: the cutter keeps off greater fillets at the feet of walls
 };
 
 struct Coverage {

@@ -304,12 +304,13 @@ class WorkCheck {
       question.above = height_above(z, off, target, moves_, near, tol);
       question.radius = finest.radius - narrower;
       question.flat = scallop_left > 0 ? question.radius : std::min(finest.flat, question.radius);
+      question.corner = question.radius - question.flat;
       question.allowance = finest.allowance_side + kept + narrower;
       level.any_cut = level.any_cut || !question.swaths.empty();
       const bool none_is_made = finest.is_other_hole && question.swaths.empty();
       Coverage one = none_is_made ? nothing_in_reach(in_stock) : coverage_of(question, tol);
-      const bool is_without_flat = question.flat <= tol.uncut && !none_is_made;
-      if (is_without_flat) add_left_above(feature, finest, z, off, {target, near}, question, one);
+      const bool is_rounded = question.flat < question.radius - kRoundingMm;
+      if (is_rounded && !none_is_made) add_left_above(feature, finest, z, off, {target, near}, question, one);
       level.coverage = first ? one : both(level.coverage, one);
       first = false;
     }
@@ -369,9 +370,9 @@ class WorkCheck {
     const std::vector<std::size_t>& near;
   };
 
-  /// Adds to `floor` the material left above the end of a cutter without a flat, whose tip has to reach `z`: cusps or a
-  /// cone stay on the floor, out of its reach, but at the height of its full width, or at the feature's top if this is
-  /// lower, it clears as much as a flat end of its width there. `question` is that of the floor.
+  /// Adds to `floor` the material left above the end of a cutter that is no flat end mill, whose tip has to reach `z`: beside walls, and
+  /// for cutters without a flat everywhere, cusps or a cone stay on the floor, out of its reach, but at the height of its full width, or at
+  /// the feature's top if this is lower, it clears as much as a flat end of its width there. `question` is that of the floor.
   void add_left_above(const Feature& feature, const FinestWork& finest, double z, double off,
                       const Nearby& nearby, CoverageQuestion question, Coverage& floor) const {
     const Tolerances& tol = options_.tol;
@@ -382,8 +383,9 @@ class WorkCheck {
     question.path_tolerance =
         liberty_at(highest_counted(level, tol), nearby.target, moves_, nearby.near, tol);
     const Coverage above = coverage_of(question, tol);
+    floor.uncut_mm2 = std::max(floor.uncut_mm2, above.uncut_mm2);
+    if (above.thickness_mm < floor.thickness_mm) return;
     floor.thickness_mm = above.thickness_mm;
-    floor.uncut_mm2 = above.uncut_mm2;
     floor.worst = above.worst;
     floor.path_tolerance_mm = above.path_tolerance_mm;
   }

@@ -57,7 +57,7 @@ class LoadMeter {
     CheckedMove& checked = moves.front();
     const Move& move = *checked.move;
     const double radius = checked.radius();
-    own_ = number_of(checked);
+    register_cutter(checked);
     follow_entry(moves);
     measure_overcut(checked);
     measure_holder(checked);
@@ -78,25 +78,28 @@ class LoadMeter {
   /// Runs a move measured by another task: gives the same state as measuring it.
   void pass_over(std::span<const CheckedMove> moves) {
     const CheckedMove& checked = moves.front();
-    own_ = number_of(checked);
+    register_cutter(checked);
     follow_entry(moves);
     take_away(checked);
   }
 
  private:
-  /// Number of a move's cutter in the material.
-  int number_of(const CheckedMove& checked) {
-    if (!checked.tool) return stock::Material::kCylinder;
+  /// Sets the numbers of a move's cutter. Tools that leave material within their form, such as thread mills between the turns of a
+  /// thread, meet it again where they were before.
+  void register_cutter(const CheckedMove& checked) {
+    cutter_ = own_ = stock::Material::kCylinder;
+    if (!checked.tool) return;
     const stock::Removal removal = removal_of(checked);
-    return material_.add_cutter(removal.profile, removal.circle);
+    cutter_ = material_.add_cutter(removal.profile, removal.circle);
+    if (removal.profile.widest > 0) own_ = cutter_;
   }
 
   void take_away(const CheckedMove& checked) {
     if (checked.radius() > 0 && checked.feeds()) {
-      if (own_ == stock::Material::kCylinder) {
+      if (cutter_ == stock::Material::kCylinder) {
         material_.add(*checked.move, checked.radius());
       } else {
-        material_.add_sweep(*checked.move, own_);
+        material_.add_sweep(*checked.move, cutter_);
       }
     }
     before_ = checked.feeds() ? checked.move : nullptr;
@@ -427,9 +430,11 @@ class LoadMeter {
   const Part& part_;
   stock::Material& material_;
   const LoadOptions& options_;
-  const CheckedMove* last_ = nullptr;     ///< the move before the current one
-  int own_ = stock::Material::kCylinder;  ///< number of the current cutter
-  const Move* before_ = nullptr;          ///< the last feed move before the current one
+  const CheckedMove* last_ = nullptr;        ///< the move before the current one
+  int cutter_ = stock::Material::kCylinder;  ///< number of the current cutter in the material
+  /// The same where its earlier sweeps count with its circle.
+  int own_ = stock::Material::kCylinder;
+  const Move* before_ = nullptr;  ///< the last feed move before the current one
   EntryWatch entry_;
   const Tool* stated_for_ = nullptr;  ///< tool of the next two members
   StatedEntry stated_;
