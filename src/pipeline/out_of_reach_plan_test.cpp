@@ -57,6 +57,24 @@ TEST(OutOfReach, IsAPocketDeeperThanTheFlutesBesideWorkThatIsDone) {
   }
 }
 
+/// A narrower mill that is too short for the corners which it is asked to mill does not take the pocket away.
+TEST(OutOfReach, IsARestBeyondTheFlutesOfItsMill) {
+  const Part part = drawn(box("POCKET_D40", 0, 0, 40, 30));
+  resolve::PlanOptions options = with({"endmill:6", "endmill:3"});
+  options.strategy = "contour";
+  options.shop.rest = true;
+  const PlanResult result = plan_part(part, options);
+  const CheckResult checked = check_program(part, result.program, "x", options);
+  for (const Findings* findings : {&result.findings, &checked.findings}) {
+    EXPECT_EQ(verdict_of(*findings), Verdict::kConditional) << faults_of(*findings);
+    std::string said;
+    for (const Condition& one : findings->conditions) said += one.text + "\n";
+    EXPECT_THAT(said,
+                HasSubstr("T2 does not mill what the wider tools leave: it is 40 mm deep, 13 diameters"));
+    EXPECT_THAT(said, ::testing::Not(HasSubstr("with --rest T2")));
+  }
+}
+
 TEST(OutOfReach, IsAConditionOfTheVerdictWhereItIsMuch) {
   // A slot of 2 mm beside a square: most of it is too narrow for the cutter.
   const Part part = drawn(outline(

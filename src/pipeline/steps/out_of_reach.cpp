@@ -293,7 +293,9 @@ const Tool* narrower_mill(const Part& part, const FeatureFindings& found) {
     if (step.feature == feature) least = std::min(least, tool_of(part, step).diameter);
   const Tool* widest = nullptr;
   for (const Tool& tool : part.tools) {
-    const bool is_narrower = mills_upright(tool) && tool.diameter < least - kSaid;
+    const bool is_narrower =
+        mills_upright(tool) && tool.diameter < least - kSaid &&
+        resolve::reaches_floor(part, part.features[static_cast<std::size_t>(feature)], tool);
     if (is_narrower && (!widest || tool.diameter > widest->diameter)) widest = &tool;
   }
   return widest;
