@@ -75,6 +75,22 @@ TEST(OutOfReach, IsARestBeyondTheFlutesOfItsMill) {
   }
 }
 
+/// Where no cutter fits into a pocket there is no edge to break.
+TEST(OutOfReach, IsTheChamferOfAPocketThatIsNotMade) {
+  const Part part = drawn(box("POCKET_D2", 0, 0, 20, 10) + box("POCKET_D2", 30, 0, 50, 2.5) +
+                          box("CHAMFER_D0.4", 30, 0, 50, 2.5));
+  const resolve::PlanOptions options = with({"endmill:3", "chamfer:90deg:8"});
+  const PlanResult result = plan_part(part, options);
+  const CheckResult checked = check_program(part, result.program, "x", options);
+  for (const Findings* findings : {&result.findings, &checked.findings}) {
+    EXPECT_EQ(verdict_of(*findings), Verdict::kConditional) << faults_of(*findings);
+    std::string said;
+    for (const Condition& one : findings->conditions) said += one.text + "\n";
+    EXPECT_THAT(said,
+                HasSubstr("CHAMFER_D0.4: it has no edge to break, as nothing reaches into POCKET_D2_2"));
+  }
+}
+
 TEST(OutOfReach, IsAConditionOfTheVerdictWhereItIsMuch) {
   // A slot of 2 mm beside a square: most of it is too narrow for the cutter.
   const Part part = drawn(outline(

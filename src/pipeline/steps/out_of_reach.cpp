@@ -325,6 +325,34 @@ std::optional<Condition> loose_part(const Part& part) {
       0, ""};
 }
 
+/// mm. A chamfer nearer than this to a wall is the chamfer of this wall.
+constexpr double kOnWall = 0.05;
+
+bool is_beside_wall_of(const Feature& feature, Vec2 point) {
+  const auto is_near = [&](const Loop& loop) {
+    return std::any_of(loop.begin(), loop.end(),
+                       [&](const Edge& edge) { return distance(edge, point) < kOnWall; });
+  };
+  return std::any_of(feature.target.begin(), feature.target.end(), [&](const Region& region) {
+    return is_near(region.outer()) || std::any_of(region.islands().begin(), region.islands().end(), is_near);
+  });
+}
+
+/// Chamfers on walls of `unmade` features have nothing to break: conditions, and no faults.
+void add_chamfers_of_unmade(const Part& part, const std::vector<const Feature*>& unmade, Findings& findings) {
+  for (FeatureFindings& found : findings.features) {
+    const Feature& feature = feature_of(part, found);
+    if (!feature.chamfer) continue;
+    const Vec2 point = feature.chamfer->line.front().from;
+    const auto wall = std::find_if(unmade.begin(), unmade.end(),
+                                   [&](const Feature* other) { return is_beside_wall_of(*other, point); });
+    if (wall != unmade.end() && withdraw_fault(found, findings))
+      findings.conditions.push_back(
+          {"out-of-reach", found.name + ": it has no edge to break, as nothing reaches into " + (*wall)->name,
+           0, ""});
+  }
+}
+
 /// Round holes without a suitable tool, of one size.
 struct UnmadeHoles {
   std::string first, why;
@@ -424,10 +452,14 @@ void add_conditions_of_part(const Part& part, const ResolvedPlan& plan, Findings
   if (auto loose = loose_part(part)) findings.conditions.push_back(*std::move(loose));
   for (Condition& one : out_of_reach(part, findings, plan.tol)) findings.conditions.push_back(std::move(one));
   add_unreached(part, plan.tol, findings);
+  std::vector<const Feature*> unmade;
   for (FeatureFindings& found : findings.features) {
-    const double whole = area(feature_of(part, found).target);
-    if (is_nothing_in_reach(found.figures.unreachable_mm2, whole)) withdraw_fault(found, findings);
+    const Feature& feature = feature_of(part, found);
+    if (!is_nothing_in_reach(found.figures.unreachable_mm2, area(feature.target))) continue;
+    unmade.push_back(&feature);
+    withdraw_fault(found, findings);
   }
+  add_chamfers_of_unmade(part, unmade, findings);
   accept_conditions(findings, plan.accept);
 }
 
