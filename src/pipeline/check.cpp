@@ -446,7 +446,7 @@ CheckResult check_resolved(const Part& part, const ProgramText& text, const reso
                                         shifted.dialect, plan, stated);
                  return WornProgram{std::move(shifted.toolpath), std::move(found)};
                });
-  add_conditions_of_part(result.part, plan, result.findings);
+  add_conditions_of_part(result.part, result.toolpath, plan, result.findings);
   add_not_machined(result.part.diagnostics, result.findings);
   result.margin = margin_asked({result.part, result.toolpath, result.control}, plan, result.findings);
   return result;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <iterator>
 #include <optional>
 #include <set>
@@ -15,6 +16,7 @@
 #include "geometry/region.h"
 #include "geometry/voronoi/clearance.h"
 #include "model/cutter_profile.h"
+#include "model/move.h"
 #include "resolve/left_over.h"
 #include "resolve/tabs.h"
 #include "resolve/unreached.h"
@@ -130,11 +132,10 @@ double largest_that_reaches(const Feature& feature, double below, const Toleranc
   return largest_hundredth(at_most, [&](double d) { return leaves.left(d) <= may_stay; });
 }
 
-/// A feature into which no cutter fits is a condition that the user may accept, and no fault of the program. Returns whether
-/// there was one.
-bool withdraw_fault(FeatureFindings& found, Findings& findings) {
+/// Takes the faults of these kinds of the feature back; returns whether there were any.
+bool withdraw(std::initializer_list<FaultKind> kinds, FeatureFindings& found, Findings& findings) {
   const auto is_its = [&](const Fault& fault) {
-    return fault.kind == FaultKind::kNothingCut && fault.feature == found.name;
+    return fault.feature == found.name && std::find(kinds.begin(), kinds.end(), fault.kind) != kinds.end();
   };
   if (std::erase_if(findings.faults, is_its) == 0) return false;
   found.figures.clean = true;
@@ -142,12 +143,35 @@ bool withdraw_fault(FeatureFindings& found, Findings& findings) {
   return true;
 }
 
+/// A feature into which no cutter fits is a condition that the user may accept, and no fault of the program. Returns whether
+/// there was one.
+bool withdraw_fault(FeatureFindings& found, Findings& findings) {
+  return withdraw({FaultKind::kNothingCut}, found, findings);
+}
+
+/// mm. Floors of what lies above a feature are cut this near to its top.
+constexpr double kAtTop = 0.01;
+
+/// Whether a feed move goes below the feature's top over its area.
+bool cuts_in(const Toolpath& toolpath, const Feature& feature) {
+  const auto cuts = [&](const Move& move) {
+    if (is_rapid(move.kind) || std::min(move.z_from, move.z_to) > feature.top_z - kAtTop) return false;
+    return contains(feature.target, move.path.from) || contains(feature.target, move.path.to) ||
+           contains(feature.target, move.path.at(0.5));
+  };
+  return std::any_of(toolpath.sections.begin(), toolpath.sections.end(), [&](const Section& section) {
+    return std::any_of(section.moves.begin(), section.moves.end(), cuts);
+  });
+}
+
 /// Features beyond the flutes of their tools that the program leaves out are conditions, and no faults.
-void add_unreached(const Part& part, const Tolerances& tol, Findings& findings) {
+void add_unreached(const Part& part, const Toolpath& toolpath, const Tolerances& tol, Findings& findings) {
   const std::vector<std::string> unreached = resolve::unreached_steps(part, tol);
   for (FeatureFindings& found : findings.features) {
     const std::string& why = unreached[static_cast<std::size_t>(found.workingstep)];
-    if (!why.empty() && withdraw_fault(found, findings))
+    if (why.empty()) continue;
+    const Feature& feature = feature_of(part, part.workplan[static_cast<std::size_t>(found.workingstep)]);
+    if (!cuts_in(toolpath, feature) && withdraw({FaultKind::kNothingCut, FaultKind::kUncut}, found, findings))
       findings.conditions.push_back({"out-of-reach", found.name + ": " + why, 0, ""});
   }
 }
@@ -446,12 +470,13 @@ std::vector<Condition> out_of_reach(const Part& part, const Findings& findings, 
   return conditions;
 }
 
-void add_conditions_of_part(const Part& part, const ResolvedPlan& plan, Findings& findings) {
+void add_conditions_of_part(const Part& part, const Toolpath& toolpath, const ResolvedPlan& plan,
+                            Findings& findings) {
   findings.conditions.insert(findings.conditions.end(), plan.conditions.begin(), plan.conditions.end());
   for (Condition& one : doubts(part)) findings.conditions.push_back(std::move(one));
   if (auto loose = loose_part(part)) findings.conditions.push_back(*std::move(loose));
   for (Condition& one : out_of_reach(part, findings, plan.tol)) findings.conditions.push_back(std::move(one));
-  add_unreached(part, plan.tol, findings);
+  add_unreached(part, toolpath, plan.tol, findings);
   std::vector<const Feature*> unmade;
   for (FeatureFindings& found : findings.features) {
     const Feature& feature = feature_of(part, found);
