@@ -28,6 +28,7 @@
 #include "read/gcode/recognise.h"
 #include "report/sheet/sheet_facts.h"
 #include "resolve/resolve.h"
+#include "resolve/unreached.h"
 #include "resolve/values/cutting_values.h"
 
 namespace clearcut::pipeline {
@@ -117,6 +118,20 @@ bool leaves_a_feature_out(const Part& part, const std::vector<Tool>& tools, cons
   return false;
 }
 
+/// Whether --rest asks one of `tools` to mill what wider ones leave, and its flutes are too short: the plan says so.
+bool leaves_a_rest_out(const Part& part, const resolve::PlanOptions& asked, const Tolerances& tol) {
+  if (!asked.shop.rest.value_or(false)) return false;
+  return std::any_of(part.workplan.begin(), part.workplan.end(), [&](const Workingstep& step) {
+    const Feature& feature = feature_of(part, step);
+    if (!is_cleared_or_drilled(feature)) return false;
+    const double fits = features::largest_fitting_diameter(feature, tol) + tol.fit;
+    return std::any_of(asked.tools.begin(), asked.tools.end(), [&](const Tool& tool) {
+      return clears_floors(tool) && tool.diameter <= fits && tool.diameter < tool_of(part, step).diameter &&
+             !resolve::reaches_floor(part, feature, tool);
+    });
+  });
+}
+
 /// Decides every value of a question with other options.
 using Resolver = std::function<ResolvedPlan(const resolve::PlanOptions&)>;
 
@@ -127,7 +142,8 @@ ResolvedPlan resolved_for(const Toolpath& toolpath, resolve::PlanOptions& asked,
   if (called.tools.size() < asked.tools.size()) {
     try {
       ResolvedPlan plan = resolved(called);
-      if (!leaves_a_feature_out(plan.part, asked.tools, plan.tol)) {
+      if (!leaves_a_feature_out(plan.part, asked.tools, plan.tol) &&
+          !leaves_a_rest_out(plan.part, asked, plan.tol)) {
         asked = std::move(called);
         return plan;
       }
@@ -430,7 +446,7 @@ CheckResult check_resolved(const Part& part, const ProgramText& text, const reso
                                         shifted.dialect, plan, stated);
                  return WornProgram{std::move(shifted.toolpath), std::move(found)};
                });
-  add_conditions_of_part(result.part, plan, result.findings);
+  add_conditions_of_part(result.part, result.toolpath, plan, result.findings);
   add_not_machined(result.part.diagnostics, result.findings);
   result.margin = margin_asked({result.part, result.toolpath, result.control}, plan, result.findings);
   return result;

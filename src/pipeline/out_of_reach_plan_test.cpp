@@ -57,6 +57,58 @@ TEST(OutOfReach, IsAPocketDeeperThanTheFlutesBesideWorkThatIsDone) {
   }
 }
 
+/// A hole in the floor of a pocket, deeper than its drill, is left out; drilled as deep as the drill goes it is faulty.
+TEST(OutOfReach, IsAHoleUnderAPocketDeeperThanItsDrill) {
+  const Part part = drawn(box("STOCK_D30", -9, -9, 39, 29) + box("POCKET_D5", 0, 0, 30, 20) +
+                          circle("DRILL_D20", {15, 10}, 2));
+  const resolve::PlanOptions options = with({"endmill:6", "drill:4:length=12"});
+  const PlanResult result = plan_part(part, options);
+  const CheckResult checked = check_program(part, result.program, "x", options);
+  for (const Findings* findings : {&result.findings, &checked.findings}) {
+    EXPECT_EQ(verdict_of(*findings), Verdict::kConditional) << faults_of(*findings);
+    std::string said;
+    for (const Condition& one : findings->conditions) said += one.text + "\n";
+    EXPECT_THAT(said, HasSubstr("DRILL_D20: its floor lies"));
+  }
+  std::string half = result.program;
+  half.replace(half.find("\nM2"), 3, "\nG0 Z5\nT2 M6\nG43\nM3 S1000\nG0 X15 Y10\nG1 Z-11 F100\nG0 Z5\nM2");
+  EXPECT_EQ(verdict_of(check_program(part, half, "x", options).findings), Verdict::kFaulty);
+}
+
+/// A narrower mill that is too short for the corners which it is asked to mill does not take the pocket away.
+TEST(OutOfReach, IsARestBeyondTheFlutesOfItsMill) {
+  const Part part = drawn(box("POCKET_D40", 0, 0, 40, 30));
+  resolve::PlanOptions options = with({"endmill:6", "endmill:3"});
+  options.strategy = "contour";
+  options.shop.rest = true;
+  const PlanResult result = plan_part(part, options);
+  const CheckResult checked = check_program(part, result.program, "x", options);
+  for (const Findings* findings : {&result.findings, &checked.findings}) {
+    EXPECT_EQ(verdict_of(*findings), Verdict::kConditional) << faults_of(*findings);
+    std::string said;
+    for (const Condition& one : findings->conditions) said += one.text + "\n";
+    EXPECT_THAT(said,
+                HasSubstr("T2 does not mill what the wider tools leave: it is 40 mm deep, 13 diameters"));
+    EXPECT_THAT(said, ::testing::Not(HasSubstr("with --rest T2")));
+  }
+}
+
+/// Where no cutter fits into a pocket there is no edge to break.
+TEST(OutOfReach, IsTheChamferOfAPocketThatIsNotMade) {
+  const Part part = drawn(box("POCKET_D2", 0, 0, 20, 10) + box("POCKET_D2", 30, 0, 50, 2.5) +
+                          box("CHAMFER_D0.4", 30, 0, 50, 2.5));
+  const resolve::PlanOptions options = with({"endmill:3", "chamfer:90deg:8"});
+  const PlanResult result = plan_part(part, options);
+  const CheckResult checked = check_program(part, result.program, "x", options);
+  for (const Findings* findings : {&result.findings, &checked.findings}) {
+    EXPECT_EQ(verdict_of(*findings), Verdict::kConditional) << faults_of(*findings);
+    std::string said;
+    for (const Condition& one : findings->conditions) said += one.text + "\n";
+    EXPECT_THAT(said,
+                HasSubstr("CHAMFER_D0.4: it has no edge to break, as nothing reaches into POCKET_D2_2"));
+  }
+}
+
 TEST(OutOfReach, IsAConditionOfTheVerdictWhereItIsMuch) {
   // A slot of 2 mm beside a square: most of it is too narrow for the cutter.
   const Part part = drawn(outline(

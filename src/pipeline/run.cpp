@@ -224,7 +224,7 @@ std::unique_ptr<CertifiedPlan> certified_plan(const ResolvedPlan& plan, const St
 }  // namespace
 
 void complete_verdict(const Toolpath& toolpath, const ResolvedPlan& plan, PlanResult& result) {
-  add_conditions_of_part(result.part, plan, result.findings);
+  add_conditions_of_part(result.part, toolpath, plan, result.findings);
   add_not_machined(result.part.diagnostics, result.findings);
   result.margin = margin_asked({result.part, result.toolpath, result.control}, plan, result.findings);
   sign(result, toolpath, plan);

@@ -442,6 +442,32 @@ std::vector<std::string> unreached_steps(const Part& part, const Tolerances& tol
   return unreached;
 }
 
+bool reaches_floor(const Part& part, const Feature& feature, const Tool& tool) {
+  if (tool.flute_length) return part.top_z() - feature.floor_z <= *tool.flute_length + kLevel;
+  return feature.top_z - feature.floor_z <= kReachOfMill * tool.diameter + kLevel;
+}
+
+void drop_unreached_rests(Part& part, const std::set<std::string>& rests, const Tolerances& tol) {
+  std::set<int> reached;
+  std::vector<std::optional<std::string>> why;
+  for (const Workingstep& step : part.workplan) {
+    why.push_back(beyond_flutes(part, step, tol));
+    if (!why.back()) reached.insert(step.feature);
+  }
+  std::vector<Workingstep> kept;
+  for (std::size_t i = 0; i < part.workplan.size(); ++i) {
+    const Workingstep& step = part.workplan[i];
+    if (!why[i] || !rests.contains(step.name) || !reached.contains(step.feature)) {
+      kept.push_back(step);
+      continue;
+    }
+    part.diagnostics.doubt(feature_of(part, step).name, "out-of-reach",
+                           "T" + std::to_string(tool_of(part, step).number) +
+                               " does not mill what the wider tools leave: " + *why[i]);
+  }
+  part.workplan = std::move(kept);
+}
+
 void refuse_what_cannot_be(const Part& part, const PlanOptions& options) {
   refuse_low_rapids(part);
   const std::vector<std::string> unreached = unreached_steps(part, options.tol);

@@ -1,6 +1,7 @@
 // Steps that their tools are too short for.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,5 +14,13 @@ namespace clearcut::resolve {
 /// than the flutes of its tools reach, in all of its steps. "" for all other steps, for workingsteps of a STEP-NC program, profiles and features
 /// with a form of their own, and where other work rests on the feature: such a part is refused as a whole.
 std::vector<std::string> unreached_steps(const Part& part, const Tolerances& tol);
+
+/// Whether the flutes of a mill reach the feature's floor from the top of the part, or, where their length is not stated,
+/// the feature is no deeper than mills usually go.
+bool reaches_floor(const Part& part, const Feature& feature, const Tool& tool);
+
+/// Takes those of the workingsteps named by `rests` out of the workplan of `part` whose tools are too short for a floor that
+/// another step reaches, each an open condition "out-of-reach".
+void drop_unreached_rests(Part& part, const std::set<std::string>& rests, const Tolerances& tol);
 
 }  // namespace clearcut::resolve

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 
 #include "base/elementary.h"
 #include "base/error.h"
@@ -13,6 +15,7 @@
 #include "model/cutter_profile.h"
 #include "resolve/features/shaping.h"
 #include "resolve/resolve.h"
+#include "resolve/unreached.h"
 #include "resolve/values/cutting_values.h"
 
 namespace clearcut::resolve {
@@ -298,7 +301,12 @@ void add_rest_steps(Part& part, const PlanOptions& options, StepSources& sources
     all.push_back(part.workplan[i]);
   }
   for (const auto& [mill, step] : at_end) all.push_back(step);
+  std::set<std::string> rests;
+  for (const auto& [mill, step] : at_end) rests.insert(step.name);
+  for (const auto& steps : before)
+    for (const Workingstep& step : steps) rests.insert(step.name);
   part.workplan = std::move(all);
+  drop_unreached_rests(part, rests, options.tol);
 }
 
 void add_finishing_steps(Part& part, const PlanOptions& options, StepSources& sources) {

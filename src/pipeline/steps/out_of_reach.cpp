@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <iterator>
 #include <optional>
 #include <set>
@@ -15,6 +16,7 @@
 #include "geometry/region.h"
 #include "geometry/voronoi/clearance.h"
 #include "model/cutter_profile.h"
+#include "model/move.h"
 #include "resolve/left_over.h"
 #include "resolve/tabs.h"
 #include "resolve/unreached.h"
@@ -130,11 +132,10 @@ double largest_that_reaches(const Feature& feature, double below, const Toleranc
   return largest_hundredth(at_most, [&](double d) { return leaves.left(d) <= may_stay; });
 }
 
-/// A feature into which no cutter fits is a condition that the user may accept, and no fault of the program. Returns whether
-/// there was one.
-bool withdraw_fault(FeatureFindings& found, Findings& findings) {
+/// Takes the faults of these kinds of the feature back; returns whether there were any.
+bool withdraw(std::initializer_list<FaultKind> kinds, FeatureFindings& found, Findings& findings) {
   const auto is_its = [&](const Fault& fault) {
-    return fault.kind == FaultKind::kNothingCut && fault.feature == found.name;
+    return fault.feature == found.name && std::find(kinds.begin(), kinds.end(), fault.kind) != kinds.end();
   };
   if (std::erase_if(findings.faults, is_its) == 0) return false;
   found.figures.clean = true;
@@ -142,12 +143,35 @@ bool withdraw_fault(FeatureFindings& found, Findings& findings) {
   return true;
 }
 
+/// A feature into which no cutter fits is a condition that the user may accept, and no fault of the program. Returns whether
+/// there was one.
+bool withdraw_fault(FeatureFindings& found, Findings& findings) {
+  return withdraw({FaultKind::kNothingCut}, found, findings);
+}
+
+/// mm. Floors of what lies above a feature are cut this near to its top.
+constexpr double kAtTop = 0.01;
+
+/// Whether a feed move goes below the feature's top over its area.
+bool cuts_in(const Toolpath& toolpath, const Feature& feature) {
+  const auto cuts = [&](const Move& move) {
+    if (is_rapid(move.kind) || std::min(move.z_from, move.z_to) > feature.top_z - kAtTop) return false;
+    return contains(feature.target, move.path.from) || contains(feature.target, move.path.to) ||
+           contains(feature.target, move.path.at(0.5));
+  };
+  return std::any_of(toolpath.sections.begin(), toolpath.sections.end(), [&](const Section& section) {
+    return std::any_of(section.moves.begin(), section.moves.end(), cuts);
+  });
+}
+
 /// Features beyond the flutes of their tools that the program leaves out are conditions, and no faults.
-void add_unreached(const Part& part, const Tolerances& tol, Findings& findings) {
+void add_unreached(const Part& part, const Toolpath& toolpath, const Tolerances& tol, Findings& findings) {
   const std::vector<std::string> unreached = resolve::unreached_steps(part, tol);
   for (FeatureFindings& found : findings.features) {
     const std::string& why = unreached[static_cast<std::size_t>(found.workingstep)];
-    if (!why.empty() && withdraw_fault(found, findings))
+    if (why.empty()) continue;
+    const Feature& feature = feature_of(part, part.workplan[static_cast<std::size_t>(found.workingstep)]);
+    if (!cuts_in(toolpath, feature) && withdraw({FaultKind::kNothingCut, FaultKind::kUncut}, found, findings))
       findings.conditions.push_back({"out-of-reach", found.name + ": " + why, 0, ""});
   }
 }
@@ -293,7 +317,9 @@ const Tool* narrower_mill(const Part& part, const FeatureFindings& found) {
     if (step.feature == feature) least = std::min(least, tool_of(part, step).diameter);
   const Tool* widest = nullptr;
   for (const Tool& tool : part.tools) {
-    const bool is_narrower = mills_upright(tool) && tool.diameter < least - kSaid;
+    const bool is_narrower =
+        mills_upright(tool) && tool.diameter < least - kSaid &&
+        resolve::reaches_floor(part, part.features[static_cast<std::size_t>(feature)], tool);
     if (is_narrower && (!widest || tool.diameter > widest->diameter)) widest = &tool;
   }
   return widest;
@@ -321,6 +347,34 @@ std::optional<Condition> loose_part(const Part& part) {
           " goes through the stock all round, and what it surrounds comes loose: something else holds "
           "it, or leave tabs (--tabs 3) or a skin (--skin 0.3)",
       0, ""};
+}
+
+/// mm. A chamfer nearer than this to a wall is the chamfer of this wall.
+constexpr double kOnWall = 0.05;
+
+bool is_beside_wall_of(const Feature& feature, Vec2 point) {
+  const auto is_near = [&](const Loop& loop) {
+    return std::any_of(loop.begin(), loop.end(),
+                       [&](const Edge& edge) { return distance(edge, point) < kOnWall; });
+  };
+  return std::any_of(feature.target.begin(), feature.target.end(), [&](const Region& region) {
+    return is_near(region.outer()) || std::any_of(region.islands().begin(), region.islands().end(), is_near);
+  });
+}
+
+/// Chamfers on walls of `unmade` features have nothing to break: conditions, and no faults.
+void add_chamfers_of_unmade(const Part& part, const std::vector<const Feature*>& unmade, Findings& findings) {
+  for (FeatureFindings& found : findings.features) {
+    const Feature& feature = feature_of(part, found);
+    if (!feature.chamfer) continue;
+    const Vec2 point = feature.chamfer->line.front().from;
+    const auto wall = std::find_if(unmade.begin(), unmade.end(),
+                                   [&](const Feature* other) { return is_beside_wall_of(*other, point); });
+    if (wall != unmade.end() && withdraw_fault(found, findings))
+      findings.conditions.push_back(
+          {"out-of-reach", found.name + ": it has no edge to break, as nothing reaches into " + (*wall)->name,
+           0, ""});
+  }
 }
 
 /// Round holes without a suitable tool, of one size.
@@ -416,16 +470,21 @@ std::vector<Condition> out_of_reach(const Part& part, const Findings& findings, 
   return conditions;
 }
 
-void add_conditions_of_part(const Part& part, const ResolvedPlan& plan, Findings& findings) {
+void add_conditions_of_part(const Part& part, const Toolpath& toolpath, const ResolvedPlan& plan,
+                            Findings& findings) {
   findings.conditions.insert(findings.conditions.end(), plan.conditions.begin(), plan.conditions.end());
   for (Condition& one : doubts(part)) findings.conditions.push_back(std::move(one));
   if (auto loose = loose_part(part)) findings.conditions.push_back(*std::move(loose));
   for (Condition& one : out_of_reach(part, findings, plan.tol)) findings.conditions.push_back(std::move(one));
-  add_unreached(part, plan.tol, findings);
+  add_unreached(part, toolpath, plan.tol, findings);
+  std::vector<const Feature*> unmade;
   for (FeatureFindings& found : findings.features) {
-    const double whole = area(feature_of(part, found).target);
-    if (is_nothing_in_reach(found.figures.unreachable_mm2, whole)) withdraw_fault(found, findings);
+    const Feature& feature = feature_of(part, found);
+    if (!is_nothing_in_reach(found.figures.unreachable_mm2, area(feature.target))) continue;
+    unmade.push_back(&feature);
+    withdraw_fault(found, findings);
   }
+  add_chamfers_of_unmade(part, unmade, findings);
   accept_conditions(findings, plan.accept);
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/tolerances.h"
 #include "model/control.h"
+#include "model/move.h"
 #include "model/options/resolved_plan.h"
 #include "model/part.h"
 #include "model/results/findings.h"
@@ -22,9 +23,10 @@ std::vector<Condition> out_of_reach(const Part& part, const Findings& findings, 
 /// A drill makes no hole shallower than its point: which one, and what does.
 std::string point_longer_than_hole(const Feature& feature, const Tool& tool);
 
-/// Adds these conditions and those of the plan to the findings: the part is not as requested until they are met or
+/// Adds these conditions and those of the plan to the findings of the program `toolpath`: the part is not as requested until they are met or
 /// accepted. For features into which no cutter fits they replace the faults on uncut features; features not machined
 /// for other reasons are added after them.
-void add_conditions_of_part(const Part& part, const ResolvedPlan& plan, Findings& findings);
+void add_conditions_of_part(const Part& part, const Toolpath& toolpath, const ResolvedPlan& plan,
+                            Findings& findings);
 
 }  // namespace clearcut::pipeline

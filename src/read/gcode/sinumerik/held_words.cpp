@@ -73,8 +73,7 @@ void keep_home(const SinumerikBlock& block, HeldWords& words) {
   const SinumerikWord* const z = word_of(block, "Z");
   if (!z || !is_suppressed(block) || word_of(block, "X") || word_of(block, "Y")) return;
   const SinumerikWord* const edge = word_of(block, "D");
-  words.home =
-      "SUPA G0 Z" + trimmed(z->number, 6) + (edge ? " D" + trimmed(edge->number, 0) : std::string());
+  words.home = "SUPA G0 Z" + trimmed(z->number, 6) + (edge ? " D" + trimmed(edge->number, 0) : std::string());
 }
 
 }  // namespace
