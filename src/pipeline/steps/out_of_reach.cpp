@@ -132,7 +132,8 @@ void withdraw_fault(FeatureFindings& found, Findings& findings) {
     return fault.kind == FaultKind::kNothingCut && fault.feature == found.name;
   };
   if (std::erase_if(findings.faults, is_its) == 0) return;
-  found.figures.clean = true;
+  found.figures.clean = std::none_of(findings.faults.begin(), findings.faults.end(),
+                                     [&](const Fault& fault) { return fault.feature == found.name; });
   findings.all.clean = findings.faults.empty();
 }
 
