@@ -79,6 +79,14 @@ pipeline::CheckResult checked(const read::DataValue& one, const fs::path& file,
   return pipeline::check_program_alone(stock, program, name, options, dialect);
 }
 
+/// No feature that a fault names counts as clean.
+void expect_no_faulty_one_clean(const Findings& findings) {
+  for (const FeatureFindings& feature : findings.features) {
+    for (const Fault& fault : findings.faults)
+      EXPECT_FALSE(feature.figures.clean && fault.feature == feature.name) << fault.text;
+  }
+}
+
 VerdictFound verdict_on(const read::DataValue& one, const fs::path& place) {
   resolve::PlanOptions options = options_of(one);
   const fs::path file = place / one.find("file")->text;
@@ -89,6 +97,7 @@ VerdictFound verdict_on(const read::DataValue& one, const fs::path& place) {
   } catch (const InputError& error) {
     return {"REFUSED", {error.what()}};
   }
+  expect_no_faulty_one_clean(result.findings);
   VerdictFound verdict{name_of(verdict_of(result.findings)), {}};
   for (const Fault& fault : result.findings.faults) verdict.reasons.insert(dashed(name_of(fault.kind)));
   if (!verdict.reasons.empty()) return verdict;

@@ -138,7 +138,8 @@ bool withdraw(std::initializer_list<FaultKind> kinds, FeatureFindings& found, Fi
     return fault.feature == found.name && std::find(kinds.begin(), kinds.end(), fault.kind) != kinds.end();
   };
   if (std::erase_if(findings.faults, is_its) == 0) return false;
-  found.figures.clean = true;
+  found.figures.clean = std::none_of(findings.faults.begin(), findings.faults.end(),
+                                     [&](const Fault& fault) { return fault.feature == found.name; });
   findings.all.clean = findings.faults.empty();
   return true;
 }

@@ -107,8 +107,11 @@ void check_verdict(const Json& certificate, Sentences& out) {
   if (verdict != wanted && !(follows == Verdict::kFaulty && verdict == plain + std::string(kNoPart)))
     out.push_back("/verdict: is \"" + verdict + "\" where its faults and conditions make it \"" + wanted +
                   "\"");
-  if (field(certificate, "clean") == true && follows != Verdict::kClean)
-    out.push_back("/clean: is true, and the verdict that follows is " + plain);
+  // Without a part no program is clean.
+  const bool is_clean = field(certificate, "clean") == true, may_be = follows == Verdict::kClean;
+  if (is_clean ? !may_be : may_be && !no_part)
+    out.push_back("/clean: is " + std::string(is_clean ? "true" : "false") +
+                  ", and the verdict that follows is " + plain);
 }
 
 /// A figure for which a value beyond its limit requires a fault.
@@ -175,6 +178,10 @@ void check_basis(const Json& certificate, Sentences& out) {
         out.push_back("/" + std::string(figure) + ": is a number, and was not asked");
     }
     return;
+  }
+  for (const char* figure : {"gouge_mm", "uncut_thickness_mm"}) {
+    if (field(certificate, "clean") == true && !field(certificate, figure).is_number())
+      out.push_back("/" + std::string(figure) + ": is no number, and was asked");
   }
   const Json& inputs = field(certificate, "inputs");
   if (inputs.empty()) out.push_back("/inputs: no file says what was to be made");

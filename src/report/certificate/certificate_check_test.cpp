@@ -70,6 +70,8 @@ TEST(Contradictions, OfFiguresAndVerdict) {
   EXPECT_THAT(said([](Json& json) { json["gouge_mm"] = 5; }), HasSubstr("/gouge_mm: is 5"));
   EXPECT_THAT(said([](Json& json) { json["uncut_thickness_mm"] = 0.5; }), HasSubstr("/uncut_thickness_mm"));
   EXPECT_THAT(said([](Json& json) { json["rapid_in_material"] = 1; }), HasSubstr("/rapid_in_material"));
+  for (const char* figure : {"gouge_mm", "uncut_thickness_mm"})
+    EXPECT_THAT(said([&](Json& json) { json[figure] = nullptr; }), HasSubstr("is no number, and was asked"));
   EXPECT_THAT(said([](Json& json) { json["features"][0]["gouge_mm"] = 0.25; }),
               HasSubstr("/features/0/gouge_mm: is more than that of the whole"));
   EXPECT_THAT(said([](Json& json) { json["features"][0]["layers"][0]["rapid_in_material"] = 2; }),
@@ -87,6 +89,7 @@ TEST(Contradictions, OfVerdictFaultsAndConditions) {
   EXPECT_THAT(said([](Json& json) { json["features"][0]["clean"] = true; }, faulty),
               HasSubstr("/features/0/clean"));
   EXPECT_THAT(said([](Json& json) { json["verdict"] = "FAULTY"; }), HasSubstr("/verdict"));
+  EXPECT_THAT(said([](Json& json) { json["clean"] = false; }), HasSubstr("/clean: is false"));
   Findings open = clean_findings();
   open.conditions.push_back({"g55", "G55 lies where the work's zero is", 3});
   EXPECT_THAT(said([](Json& json) { json["verdict"] = "CLEAN"; }, open), HasSubstr("CONDITIONAL"));
