@@ -519,11 +519,11 @@ void Reader::make_workingstep(const Node& step, const Tools& tools) {
 
 namespace {
 
-/// Where the path cuts, in plan.
-Box cut_box(const StatedPath& path) {
+/// Where the tool of this radius cuts along the path, in plan: on open sides its centre may lie beside the feature.
+Box cut_box(const StatedPath& path, double radius) {
   Box cut;
   for (const StatedMove& move : path.moves)
-    if (!is_rapid(move.kind)) cut.add(move.path.box());
+    if (!is_rapid(move.kind)) cut.add(move.path.box().grown(radius));
   return cut;
 }
 
@@ -546,10 +546,10 @@ std::optional<StatedPath> Reader::stated_path(const Node& feature, const Node& n
     std::optional<StatedPath> path = read_toolpath(node, setting, context_);
     Box area;
     for (const std::size_t draft : drafts) area.add(box(feature_of_draft(draft).target));
-    if (path && !cut_box(*path).overlaps(area)) {
+    if (path && !cut_box(*path, setting.tool.radius()).overlaps(area)) {
       setting.placement = program_.chosen().turn;
       const auto in_workpiece = read_toolpath(node, setting, context_);
-      if (cut_box(*in_workpiece).overlaps(area)) {
+      if (cut_box(*in_workpiece, setting.tool.radius()).overlaps(area)) {
         context_.warn("its toolpath lies beside its feature; it is taken in the coordinates of the workpiece",
                       node);
         path = in_workpiece;
