@@ -31,6 +31,7 @@ using pipeline::CarriedStock;
 using pipeline::cutting_of_tools;
 using pipeline::MachinedSetup;
 using pipeline::missing_of;
+using pipeline::on_block;
 using pipeline::options_of_job;
 using pipeline::plan_part;
 using pipeline::PlanResult;

@@ -81,6 +81,37 @@ TEST(HolePlan, AHoleShallowerThanThePointOfItsOnlyDrillIsOutOfReach) {
   expect_clean(plan_part(part, with({"drill:6:118deg", "endmill:10"})));
 }
 
+/// Pecks and the dwell of an operation, as STEP-NC states them, in programs of others.
+TEST(HolePlan, StatedPecksAndDwellsOfAnOperationAreMissedInOtherPrograms) {
+  Part part = with_circle("DRILL_D10", 6);
+  const auto options = with({"drill:6"});
+  const auto names_of = [](const Findings& findings) {
+    std::string names;
+    for (const Condition& one : findings.conditions) names += one.name + " ";
+    return names;
+  };
+  const PlanResult at_once = plan_part(part, options);
+  part.workplan[0].operation.stepdown = 4;
+  const PlanResult pecked = plan_part(part, options);
+  expect_clean(pecked);
+  EXPECT_THAT(pecked.program, HasSubstr("G83"));
+  EXPECT_THAT(names_of(check_program(part, pecked.program, "own", options).findings),
+              Not(HasSubstr("stated")));
+  EXPECT_THAT(names_of(check_program(part, at_once.program, "other", options).findings),
+              HasSubstr("stated-peck"));
+  HoleFeeds feeds;
+  feeds.dwell_s = 1.5;
+  part.workplan[0].operation.stepdown.reset();
+  part.workplan[0].operation.hole_feeds = feeds;
+  const PlanResult waiting = plan_part(part, options);
+  expect_clean(waiting);
+  EXPECT_THAT(names_of(check_program(part, waiting.program, "own", options).findings),
+              Not(HasSubstr("stated")));
+  EXPECT_THAT(names_of(changed(part, waiting, "P1.5", "P0.5", options)), HasSubstr("stated-dwell"));
+  EXPECT_THAT(names_of(check_program(part, at_once.program, "other", options).findings),
+              HasSubstr("stated-dwell"));
+}
+
 /// 0.0001 inch is 2.54 um: this place is missed by 1.8 um, and the cutter is as wide as its hole.
 TEST(HolePlan, APlaceThatTheDigitsOfInchesMissIsThePlace) {
   const Part part = drawn(kBlock + circle("DRILL_D5", {11.6243, 11.6243}, 3));

@@ -234,6 +234,18 @@ TEST(OutOfReach, IsNothingOfARoundBottomThatTheBallMakes) {
   EXPECT_FALSE(has(result.findings, FaultKind::kGouge)) << faults_of(result.findings);
 }
 
+/// What lies within the fillet is to stay: a rounder corner leaves the rest of its own. A flat end would cut the fillet away.
+TEST(OutOfReach, IsWhatARounderCornerLeavesBesideTheFillet) {
+  Part part = drawn(circle("POCKET_D4", {0, 0}, 20));
+  part.features.front().floor_fillet = 1;
+  const auto result = plan_part(part, by_contour("bullnose:8:corner=1.5"));
+  ASSERT_EQ(result.findings.conditions.size(), 1u);
+  const std::string text = result.findings.conditions[0].text;
+  EXPECT_THAT(text, HasSubstr(": 58.9"));  // between circles of 19 and 18.5 mm
+  EXPECT_THAT(text, HasSubstr("which rounds off 1.5 mm where a fillet of 1 mm is asked for"));
+  EXPECT_THAT(text, ::testing::Not(HasSubstr("flat end mill")));
+}
+
 /// A ball makes the fillet at the foot of the walls, and leaves cusps all over the floor.
 TEST(OutOfReach, IsTheFloorBesideAFilletWhereABallMakesBoth) {
   Part part = drawn(box("POCKET_D4", 0, 0, 24, 20));

@@ -301,14 +301,15 @@ void refuse_step(const Part& part, const Workingstep& step, const Tolerances& to
   refuse_beyond_flutes(part, step, tol);
 }
 
-/// Entities of STEP-NC have numbers.
-bool is_of_program(const Workingstep& step) {
-  return !step.source.empty() && step.source.front() == '#';
-}
-
 /// A workingstep on one of its features.
 std::string work_key(const Part& part, const Workingstep& step) {
   return step.source + " " + feature_of(part, step).name;
+}
+
+}  // namespace
+
+bool is_of_program(const Workingstep& step) {
+  return !step.source.empty() && step.source.front() == '#';
 }
 
 void drop_unused_features(Part& part) {
@@ -323,8 +324,6 @@ void drop_unused_features(Part& part) {
   part.features = std::move(used);
   for (Workingstep& step : part.workplan) step.feature = renumbered[static_cast<std::size_t>(step.feature)];
 }
-
-}  // namespace
 
 void refuse_above_stock(const Part& part) {
   for (const Workingstep& step : part.workplan) refuse_above_stock(part, step);

@@ -63,6 +63,12 @@ void add_finishing_steps(Part& part, const PlanOptions& options, StepSources& so
 /// material was removed before.
 void refuse_above_stock(const Part& part);
 
+/// Whether the step is one of a STEP-NC program, whose entities have numbers.
+bool is_of_program(const Workingstep& step);
+
+/// Features on which no workingstep works are no part of the job.
+void drop_unused_features(Part& part);
+
 /// `part` as prepared. Throws InputError, one line with the remedy, for: rapids at or below the top of the material; features
 /// beside the material; floors below it that are no through cuts; floors farther below the material beside the tool than the flutes of
 /// their tool are long, or (flutes unknown) features deeper than ten of its diameters, twenty for drills; cutters that

@@ -417,6 +417,7 @@ Findings verify_program(const Part& part, const Toolpath& toolpath, const Verify
   Findings findings = FindingsBuilder(part, program, works, carvings, options).build();
   findings.conditions = conditions_of_moves(program, options);
   if (auto pecks = stated_pecks_exceeded(part, program)) findings.conditions.push_back(*std::move(pecks));
+  if (auto dwell = stated_dwell_missing(part, program)) findings.conditions.push_back(*std::move(dwell));
   if (findings.all.load)
     findings.all.thin_wall =
         thinnest_wall(finished.plain(), findings.all.load->max_force_n, *options.material);

@@ -243,9 +243,8 @@ Part PlanArguments::on_what_is_left(Part part, Block block) const {
   if (setup_.machined.empty()) setup_.machined = machined_before();
   if (setup_.machined.empty()) return part;  // nothing was cut in any of them
   setup_.carried = carried_stock(setup_.machined, setup_.place, part);
-  part.stock = setup_.carried->block;
   part.diagnostics.note("set-up", setup_.carried->told);
-  return part;
+  return on_block(std::move(part), setup_.carried->block);
 }
 
 /// The set-ups with programs named by --earlier-setup. Each program is checked on the stock left by the earlier ones.

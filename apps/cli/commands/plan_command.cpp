@@ -228,7 +228,9 @@ std::vector<PlannedSetup> planned_setups(const PlanCommand& command, int count) 
 void tell_left_out(const PlannedSetup& one) {
   const Diagnostics& said = one.left_out->said();
   print_line("set-up " + std::to_string(one.command.arguments.setup().number) +
-             ": no program, as nothing in it can be machined: " + one.left_out->what());
+             (one.left_out->is_done() ? ": no program, as nothing in it is left to cut: "
+                                      : ": no program, as nothing in it can be machined: ") +
+             one.left_out->what());
   if (!one.command.quiet) print(said, true);
   for (const auto& name : names_not_machined(said)) print_line("NOT MACHINED: " + name);
 }
@@ -312,7 +314,7 @@ int run_setups(const PlanCommand& command, int count) {
   for (const PlannedSetup& one : setups) {
     if (one.left_out) {
       tell_left_out(one);
-      worst = Verdict::kFaulty;
+      if (!one.left_out->is_done()) worst = Verdict::kFaulty;
       continue;
     }
     print_line(one.result.part.name + ": " + one.command.output);

@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <limits>
 #include <set>
+#include <utility>
 
 #include "base/text.h"
+#include "features/standing.h"
 #include "geometry/contours/boolean.h"
+#include "model/results/nothing_to_machine.h"
 #include "pipeline/setups/solid_stock.h"
+#include "resolve/resolve.h"
 #include "stock/material.h"
 
 namespace clearcut::pipeline {
@@ -140,6 +144,39 @@ std::string told_of(std::size_t number, const SetupPlace& place, bool any) {
 }
 
 }  // namespace
+
+Part on_block(Part part, const Stock& left) {
+  const std::optional<Stock> whole = std::exchange(part.stock, left);
+  if (!whole) return part;
+  const auto is_cut_away = [&](const Workingstep& step) {
+    const Feature& feature = feature_of(part, step);
+    return resolve::is_of_program(step) && feature.floor_z < whole->z_top - kSamePlaceMm &&
+           feature.floor_z >= left.z_top - kSamePlaceMm;
+  };
+  std::size_t away = 0;
+  for (const Workingstep& step : part.workplan) {
+    if (!is_cut_away(step)) continue;
+    const Feature& feature = feature_of(part, step);
+    ++away;
+    part.diagnostics.note(part.source_file, "workingstep " + step.source + " '" + step.name +
+                                                "' has nothing left to cut: earlier set-ups have cut away " +
+                                                feature.name + ", which ends at z " +
+                                                trimmed(feature.floor_z, 3) + ", down to z " +
+                                                trimmed(left.z_top, 3));
+  }
+  if (away == 0) return part;
+  if (away == part.workplan.size())
+    throw NothingToMachine(part.source_file, "earlier set-ups have cut away all that it would cut",
+                           part.diagnostics, names_not_machined(part.diagnostics).empty());
+  std::erase_if(part.workplan, is_cut_away);
+  resolve::drop_unused_features(part);
+  const std::vector<double> tops = features::stacked_tops(part, Tolerances{});
+  for (const Workingstep& step : part.workplan) {
+    const auto index = static_cast<std::size_t>(step.feature);
+    part.features[index].top_z = std::min(part.features[index].top_z, tops[index]);
+  }
+  return part;
+}
 
 CarriedStock carried_stock(const std::vector<MachinedSetup>& earlier, const SetupPlace& place,
                            const Part& next) {

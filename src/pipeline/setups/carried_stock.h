@@ -45,6 +45,11 @@ struct CarriedStock {
 CarriedStock carried_stock(const std::vector<MachinedSetup>& earlier, const SetupPlace& place,
                            const Part& next);
 
+/// `part` on the block that earlier set-ups have left. Workingsteps of a STEP-NC program whose features lie inside the
+/// part's own block and above what is left are left out with a note: there is nothing for them to cut. Throws
+/// NothingToMachine, which is done, if these are all and no other was left out.
+Part on_block(Part part, const Stock& left);
+
 /// A condition "floors-meet" for each two features, one of `earlier`, one of `next` at `place`, cut from opposite
 /// sides and together deeper than the block's thickness, over more than 1 mm2, while each by itself ends inside the
 /// block: the floor in either drawing does not exist. Features through the block are intended, and the views of a

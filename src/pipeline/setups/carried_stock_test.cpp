@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "model/results/nothing_to_machine.h"
 #include "pipeline/test_drawings.h"
 #include "post/post.h"
 
@@ -102,6 +103,34 @@ TEST(CarriedStock, AHollowCountsForWhatBeginsAtItsCeilingAndNoHigher) {
   const PlanResult whole = planned_on(carried_stock({first}, kBelow, higher), higher);
   EXPECT_TRUE(whole.findings.all.clean) << faults_of(whole.findings);
   EXPECT_EQ(whole.toolpath.sections.size(), 2u);
+}
+
+/// A face that an earlier set-up has cut away asks for nothing; of a drawing it is a mistake that planning refuses.
+TEST(CarriedStock, StepsOfAProgramThatAreCutAwayBeforeAreLeftOutWithANote) {
+  Part part = drawn(kBlock + box("FACE_D1", 0, 0, 80, 60) + box("POCKET TOP-1 D5", 10, 10, 40, 30));
+  Stock left = *part.stock;
+  left.z_top = -1.5;
+  EXPECT_EQ(on_block(part, left).workplan.size(), 2u);
+  part.workplan[0].source = "#10";
+  part.workplan[1].source = "#20";
+  const Part rest = on_block(part, left);
+  ASSERT_EQ(rest.workplan.size(), 1u);
+  ASSERT_EQ(rest.features.size(), 1u);
+  EXPECT_EQ(rest.workplan[0].source, "#20");
+  EXPECT_DOUBLE_EQ(rest.features[0].top_z, -1.5);
+  EXPECT_NE(rest.diagnostics.items().back().what.find("has nothing left to cut"), std::string::npos);
+  EXPECT_EQ(on_block(part, *part.stock).workplan.size(), 2u);
+  // A face of the whole block begins at its top: one above it is a mistake as before.
+  Part above = part;
+  above.stock->z_top = -3;
+  EXPECT_EQ(on_block(above, left).workplan.size(), 2u);
+  left.z_top = -6;
+  try {
+    on_block(part, left);
+    FAIL() << "something is left to cut";
+  } catch (const NothingToMachine& nothing) {
+    EXPECT_TRUE(nothing.is_done());
+  }
 }
 
 TEST(CarriedStock, FromTheSameSideEverythingIsCarried) {

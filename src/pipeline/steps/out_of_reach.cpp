@@ -259,6 +259,12 @@ bool is_said_above_tabs(const FeatureFindings& found, const Part& part, const Fi
          });
 }
 
+/// Whether the corner of the tool's end is rounder than the fillet that is asked for between floor and walls.
+bool rounds_more(const Tool& tool, const Feature& feature) {
+  return feature.floor_fillet > 0 && flat_end(tool) > 0 && !features::makes_fillet(tool, feature) &&
+         tool.radius() - flat_end(tool) > feature.floor_fillet;
+}
+
 /// Description of a tool end that leaves material along walls or on the floor within reach of an equally wide flat
 /// end mill; "" for a flat end.
 std::string end_that_leaves(const Part& part, const Feature& feature, const FeatureFindings& found,
@@ -269,6 +275,9 @@ std::string end_that_leaves(const Part& part, const Feature& feature, const Feat
     return ", which keeps off the fillet of " + trimmed(feature.floor_fillet, 3) +
            " mm between floor and walls; a cutter with this corner radius makes it";
   if (flat >= tool.radius()) return "";
+  if (rounds_more(tool, feature))
+    return ", which rounds off " + trimmed(tool.radius() - flat, 3) + " mm where a fillet of " +
+           trimmed(feature.floor_fillet, 3) + " mm is asked for; a cutter with this corner radius makes it";
   const std::string end = flat > 0 ? "rounds off " + trimmed(tool.radius() - flat, 3) + " mm"
                           : outer_profile(tool).round > 0 ? "ends in a ball"
                                                           : "ends in a point";
@@ -292,9 +301,12 @@ double left_beside_fillet(const Part& part, const Feature& feature, const Featur
                           const Tolerances& tol) {
   const double unreachable = found.figures.unreachable_mm2;
   const Tool* tool = fillet_tool(part, feature);
-  if (!tool) return unreachable;
+  const Tool& own = tool_of(part, part.workplan[static_cast<std::size_t>(found.workingstep)]);
+  const bool is_rounder = !tool && rounds_more(own, feature);
+  if (!tool && !is_rounder) return unreachable;
   // A ball makes the fillet, but leaves cusps on the floor beside it. In a hole as wide as the ball there is no such floor.
-  if (flat_end(*tool) <= 0) {
+  // Under a rounder corner, too, what lies within the fillet is to stay.
+  if (is_rounder || flat_end(*tool) <= 0) {
     const double fillet = area(feature.target) - area(inset(feature.target, feature.floor_fillet, tol));
     return std::max(0.0, unreachable - fillet);
   }

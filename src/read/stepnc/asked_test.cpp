@@ -169,6 +169,29 @@ TEST(StepNcOutsideProfiles, ThatEndInsideTheStockAreOpenedOnACondition) {
   EXPECT_THAT(conditions_of(inside), ElementsAre(HasSubstr("it is opened straight to the nearest edge")));
 }
 
+TEST(StepNcOutsideProfiles, OfAFullTurnHaveNoOpenSide) {
+  for (const char* sweep : {"6.283185307179586", "-6.283185307179586"}) {
+    Program p;
+    p.feature("PARTIAL_CIRCULAR_SHAPE_PROFILE('P',#3,(#30),#21,#23,$,$,$,#70)")
+        .with(70, "PARTIAL_CIRCULAR_PROFILE($,#71," + std::string(sweep) + ")")
+        .with(71, "TOLERANCED_LENGTH_MEASURE(30.,$)");
+    const Part part = p.with(22, "CARTESIAN_POINT('',(50.,40.,0.))").read();
+    EXPECT_NEAR(area(part.features[0].target), 100 * 80 - kPi * 900, 1e-6);
+    EXPECT_THAT(conditions_of(part), IsEmpty());
+  }
+}
+
+/// What an entry asks for bears on a program only where the cutter goes down in material.
+TEST(StepNcEntries, AreToldAsRead) {
+  const auto told = [](const char* approach) {
+    return testing::all_diagnostics(Program().with(36, approach).read());
+  };
+  EXPECT_THAT(told("PLUNGE_HELIX($,2.5,0.05)"),
+              HasSubstr("entries and leads as read: helix 2.5 mm 2.8648 deg (#30)"));
+  EXPECT_THAT(told("PLUNGE_RAMP($,0.05)"), HasSubstr("entries and leads as read: ramp 2.8648 deg (#30)"));
+  EXPECT_THAT(told("AP_RETRACT_ANGLE($,0.5,3.)"), HasSubstr("as read: lead 3 mm 28.6479 deg (#30)"));
+}
+
 /// A slot of 60 x 12 along x.
 Program slot_with_ends(const std::string& ends) {
   Program p;

@@ -105,6 +105,7 @@ class Reader {
   std::string unique_name(const Draft& draft);
   std::string unique_name(const std::string& base);
   void tell_what_is_read();
+  void tell_of_entries();
   void take_material();
   void leave_out(const Node& step, const InputError& error);
   std::string within_file(const InputError& error) const;  ///< its text, for messages that name the file

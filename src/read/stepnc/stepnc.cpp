@@ -394,7 +394,53 @@ void Reader::tell_what_is_read() {
   for (const auto& [over, of] : planes) text += (text.empty() ? "" : "; ") + over + " (" + of + ")";
   if (!text.empty())
     context_.diagnostics.note(context_.file.name, "retract planes as read, mm over the features: " + text);
+  tell_of_entries();
   take_material();
+}
+
+namespace {
+
+const char* word_of(EntryKind entry) {
+  switch (entry) {
+    case EntryKind::kHelix:
+      return "helix";
+    case EntryKind::kRamp:
+      return "ramp";
+    case EntryKind::kZigzagRamp:
+      return "zigzag";
+    case EntryKind::kPlunge:
+      break;
+  }
+  return "plunge";
+}
+
+/// " 2 mm 3.4 deg" of a way into or out of the material.
+std::string shown_way(const std::optional<double>& size, const std::optional<Radians>& angle) {
+  std::string text;
+  if (size) text += " " + trimmed(*size, 4) + " mm";
+  if (angle) text += " " + trimmed(angle->degrees(), 4) + " deg";
+  return text;
+}
+
+}  // namespace
+
+/// Entries and leads bear on a program only where the cutter goes down in material, and along walls.
+void Reader::tell_of_entries() {
+  std::map<std::string, std::string> ways;  // of which operations
+  const auto add = [&](const std::string& way, const Operation& operation) {
+    std::string& of = ways[way];
+    if (of.find(operation.source) == std::string::npos) of += (of.empty() ? "" : ", ") + operation.source;
+  };
+  for (const Workingstep& step : part_.workplan) {
+    const Operation& operation = step.operation;
+    if (operation.entry)
+      add(word_of(*operation.entry) + shown_way(operation.entry_size, operation.entry_angle), operation);
+    if (operation.lead || operation.lead_angle)
+      add("lead" + shown_way(operation.lead, operation.lead_angle), operation);
+  }
+  std::string text;
+  for (const auto& [way, of] : ways) text += (text.empty() ? "" : "; ") + way + " (" + of + ")";
+  if (!text.empty()) context_.diagnostics.note(context_.file.name, "entries and leads as read: " + text);
 }
 
 /// Where an operation states no feed or no speed, those for the workpiece's material count, unless the user states another.
@@ -473,11 +519,11 @@ void Reader::make_workingstep(const Node& step, const Tools& tools) {
 
 namespace {
 
-/// Where the path cuts, in plan.
-Box cut_box(const StatedPath& path) {
+/// Where the tool of this radius cuts along the path, in plan: on open sides its centre may lie beside the feature.
+Box cut_box(const StatedPath& path, double radius) {
   Box cut;
   for (const StatedMove& move : path.moves)
-    if (!is_rapid(move.kind)) cut.add(move.path.box());
+    if (!is_rapid(move.kind)) cut.add(move.path.box().grown(radius));
   return cut;
 }
 
@@ -500,10 +546,10 @@ std::optional<StatedPath> Reader::stated_path(const Node& feature, const Node& n
     std::optional<StatedPath> path = read_toolpath(node, setting, context_);
     Box area;
     for (const std::size_t draft : drafts) area.add(box(feature_of_draft(draft).target));
-    if (path && !cut_box(*path).overlaps(area)) {
+    if (path && !cut_box(*path, setting.tool.radius()).overlaps(area)) {
       setting.placement = program_.chosen().turn;
       const auto in_workpiece = read_toolpath(node, setting, context_);
-      if (cut_box(*in_workpiece).overlaps(area)) {
+      if (cut_box(*in_workpiece, setting.tool.radius()).overlaps(area)) {
         context_.warn("its toolpath lies beside its feature; it is taken in the coordinates of the workpiece",
                       node);
         path = in_workpiece;

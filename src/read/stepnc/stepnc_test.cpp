@@ -129,7 +129,9 @@ TEST(StepNc, EveryApproachAndRetractStrategyIsReadOrNamed) {
     EXPECT_EQ(op.entry_size, row.size) << row.approach;
     EXPECT_EQ(op.lead, row.lead) << row.approach;
     EXPECT_EQ(value(op.lead_angle), row.lead_angle) << row.approach;
-    EXPECT_EQ(count_of(part, Severity::kNote), other_notes + row.notes) << all_diagnostics(part);
+    // Entries and leads are told as read, of the program before as of this one, if there are any.
+    const int untold = row.entry || row.lead ? 0 : 1;
+    EXPECT_EQ(count_of(part, Severity::kNote), other_notes + row.notes - untold) << all_diagnostics(part);
   }
 }
 

@@ -40,6 +40,15 @@ TEST(StatedToolpaths, APolylineIsTheTipsWayInTheFrameOfTheFeature) {
   EXPECT_EQ(all_diagnostics(p.read()).find("not followed: TOOLPATH"), std::string::npos);
 }
 
+/// The cutter cuts as far as its radius beside its centre: such a path lies on its feature.
+TEST(StatedToolpaths, APathWhoseCentreLiesBesideTheFeatureIsInItsFrameNevertheless) {
+  Program p = with_path("(#81)");
+  p.with(22, "CARTESIAN_POINT('',(0.,6.,0.))").with(92, "CARTESIAN_POINT('',(60.,53.,-5.))");
+  p.with(90, "CARTESIAN_POINT('',(30.,53.,-5.))").with(91, "CARTESIAN_POINT('',(70.,53.,-5.))");
+  EXPECT_EQ(ends_of(path_in(p.read())), "7000 5900 -500 cut; 6000 5900 -500 cut; ");
+  EXPECT_EQ(all_diagnostics(p.read()).find("in the coordinates of the workpiece"), std::string::npos);
+}
+
 TEST(StatedToolpaths, AnyOtherStrategyLeavesTheChoiceOpen) {
   EXPECT_FALSE(path_in(with_path("(#81)", false).read()).is_explicit);
 }

@@ -83,7 +83,11 @@ std::vector<Condition> doubtful_cutting_data(const CheckedProgram& program, cons
 std::vector<Fault> faults_of_holes(const Part& part, const CheckedProgram& program,
                                    const VerifyOptions& options);
 
-/// `stated-peck` if a drill goes deeper at once than the pecks that are stated for its hole, at the first such place.
+/// `stated-peck` if a drill goes deeper at once than the pecks that are stated for its hole or operation, at the first
+/// such place.
 std::optional<Condition> stated_pecks_exceeded(const Part& part, const CheckedProgram& program);
+
+/// `stated-dwell` if a tool waits less at the bottom of a hole than its operation states, at the first such hole.
+std::optional<Condition> stated_dwell_missing(const Part& part, const CheckedProgram& program);
 
 }  // namespace clearcut::verify

@@ -271,6 +271,86 @@ std::optional<Condition> longer_peck(const Feature& feature, const CheckedProgra
   return std::nullopt;
 }
 
+/// What the tool of a workingstep is asked to do on the axis of a round hole, besides the shape of the hole.
+struct HoleWish {
+  const Feature* feature = nullptr;
+  int tool_number = 0;
+  Vec2 center;
+  double peck = 0;     ///< mm; 0: in one go
+  double dwell_s = 0;  ///< at the lowest point
+};
+
+/// One wish for each tool on each axis: of several workingsteps the one that asks for least.
+std::vector<HoleWish> wishes_of(const Part& part) {
+  std::vector<HoleWish> wishes;
+  for (const Workingstep& step : part.workplan) {
+    const Feature& feature = feature_of(part, step);
+    const Tool& tool = tool_of(part, step);
+    if (feature.kind != FeatureKind::kRoundHole || !makes_holes(tool)) continue;
+    HoleWish wish{&feature, tool.number, box(feature.target).center()};
+    // Where the input states the moves it states the pecks, and chips are broken below the top.
+    const bool is_told_otherwise =
+        step.stated_path || (feature.hole && (feature.hole->peck || feature.hole->chip_break));
+    if (tool.kind == ToolKind::kDrill && !is_told_otherwise) wish.peck = step.operation.stepdown.value_or(0);
+    if (step.operation.hole_feeds) wish.dwell_s = step.operation.hole_feeds->dwell_s;
+    const auto same = std::find_if(wishes.begin(), wishes.end(), [&](const HoleWish& other) {
+      return other.tool_number == wish.tool_number && distance(other.center, wish.center) <= kOnAxis;
+    });
+    if (same == wishes.end()) {
+      wishes.push_back(wish);
+      continue;
+    }
+    same->peck = same->peck > 0 && wish.peck > 0 ? std::max(same->peck, wish.peck) : 0;
+    same->dwell_s = std::min(same->dwell_s, wish.dwell_s);
+  }
+  return wishes;
+}
+
+bool is_on_axis(const CheckedMove& checked, const HoleWish& wish) {
+  return checked.tool_number == wish.tool_number && !checked.is_carried() && checked.move->is_vertical() &&
+         distance(checked.move->path.from, wish.center) <= kOnAxis;
+}
+
+std::optional<Condition> peck_beyond(const HoleWish& wish, const CheckedProgram& program) {
+  HoleForm hole;
+  hole.peck = wish.peck;
+  Pecks pecks(hole, wish.feature->top_z);
+  for (const CheckedMove& checked : program.moves) {
+    if (!is_on_axis(checked, wish) || !pecks.are_exceeded_by(checked)) continue;
+    return Condition{"stated-peck",
+                     wish.feature->name + ": T" + std::to_string(wish.tool_number) + " drills " +
+                         trimmed(pecks.taken(), 3) + " mm at once where pecks of " + trimmed(wish.peck, 3) +
+                         " mm, with a full retract each time, are stated; the program's pecks are meant",
+                     checked.move->line};
+  }
+  return std::nullopt;
+}
+
+/// s. Dwells are written in hundredths.
+constexpr double kDwellSlack = 0.011;
+
+std::optional<Condition> dwell_missing(const HoleWish& wish, const CheckedProgram& program) {
+  double lowest = std::numeric_limits<double>::infinity(), waits_s = 0;
+  int line = 0;
+  for (std::size_t i = 0; i < program.moves.size(); ++i) {
+    const CheckedMove& checked = program.moves[i];
+    if (!checked.control) return std::nullopt;  // nothing is known of its waits
+    if (!is_on_axis(checked, wish) || !checked.feeds() || checked.move->z_to >= checked.move->z_from)
+      continue;
+    const double waits = i + 1 < program.moves.size() ? program.moves[i + 1].waits_s : 0;
+    if (checked.move->z_to > lowest + kLeastRise) continue;
+    waits_s = checked.move->z_to < lowest - kLeastRise ? waits : std::max(waits_s, waits);
+    lowest = std::min(lowest, checked.move->z_to);
+    line = checked.move->line;
+  }
+  if (std::isinf(lowest) || waits_s >= wish.dwell_s - kDwellSlack) return std::nullopt;
+  return Condition{"stated-dwell",
+                   wish.feature->name + ": T" + std::to_string(wish.tool_number) + " waits " +
+                       trimmed(waits_s, 2) + " s at the bottom where " + trimmed(wish.dwell_s, 2) +
+                       " s are stated; the program's dwell is meant",
+                   line};
+}
+
 bool is_worked(const Part& part, int feature) {
   return std::any_of(part.workplan.begin(), part.workplan.end(),
                      [&](const Workingstep& step) { return step.feature == feature; });
@@ -295,6 +375,18 @@ std::optional<Condition> stated_pecks_exceeded(const Part& part, const CheckedPr
     if (!feature.hole || !feature.hole->peck || feature.hole->kind != HoleKind::kDrilled) continue;
     if (!is_worked(part, static_cast<int>(i))) continue;
     if (auto found = longer_peck(feature, program)) return found;
+  }
+  for (const HoleWish& wish : wishes_of(part)) {
+    if (wish.peck <= 0) continue;
+    if (auto found = peck_beyond(wish, program)) return found;
+  }
+  return std::nullopt;
+}
+
+std::optional<Condition> stated_dwell_missing(const Part& part, const CheckedProgram& program) {
+  for (const HoleWish& wish : wishes_of(part)) {
+    if (wish.dwell_s <= 0) continue;
+    if (auto found = dwell_missing(wish, program)) return found;
   }
   return std::nullopt;
 }

@@ -80,7 +80,9 @@ constexpr ListedEntity kListed[] = {
     {"TOOLPATH_FEATURE", kRefused,
      "it is only a path; write what is to be removed as a pocket, face, slot or step"},
     {"REGION_PROJECTION", kRefused,
-     "it is the part of a surface under a curve; where that is level, write it as a pocket or face"},
+     "it says no height of its floor, which is that of the workpiece's surface under its curve; where that "
+     "is "
+     "level, write it as a pocket or face"},
     {"REGION_SURFACE_LIST", kRefused, kFreeForm},
     {"TOPOLOGICAL_REGION", kRefused, kFreeForm},
     {"GENERAL_FREEFORM", kRefused, kFreeForm},

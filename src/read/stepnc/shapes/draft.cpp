@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/elementary.h"
 #include "base/text.h"
@@ -422,20 +423,27 @@ void read_thread(const Node& feature, const Frame& frame, Draft& draft, Context&
   context.note("a thread of 60 degrees, " + thread.name, feature);
 }
 
+/// What is within a closed outside profile stays.
+void keep_inside(const Node& feature, Loop outline, Draft& draft) {
+  draft.bosses.push_back(std::move(outline));
+  draft.boss_tops.push_back(0);
+  draft.boss_ids.push_back(feature.id());
+}
+
 void read_outside_profile(const Node& feature, const Frame& frame, std::size_t argument, Draft& draft,
                           Context& context) {
   draft.kind = FeatureKind::kOutsideProfile;
   const Node profile = feature.needed_ref(argument, "boundary");
   if (is_closed_profile(profile)) {
     read_boundary(profile, frame, draft, context);
-    draft.bosses.push_back(draft.boundary);
-    draft.boss_tops.push_back(0);
-    draft.boss_ids.push_back(feature.id());
-    draft.boundary.clear();
+    keep_inside(feature, std::exchange(draft.boundary, {}), draft);
     draft.unplaced_boundary.clear();
   } else {
     draft.wall = planar_map(frame).path(open_profile(profile, context));
     if (draft.wall.empty()) profile.fail("the boundary has no length; give its curve");
+    // A full turn, or a curve that ends where it begins, has no open side.
+    if (distance(draft.wall.front().from, draft.wall.back().to) <= context.tol.join_gap)
+      keep_inside(feature, std::exchange(draft.wall, {}), draft);
   }
   context.note("everything of the stock outside the profile is removed", feature);
 }
