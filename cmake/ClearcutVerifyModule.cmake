@@ -6,7 +6,7 @@ set(CLEARCUT_VERIFY_MODULE_WITHOUT plan order)  # modules of which only headers 
 set(CLEARCUT_VERIFY_MODULE_read "/read/(common|drawing|gcode|outline|repair|tools)/" "/read/job/(machine|read_part)[a-z_]*\\.cpp$")
 set(CLEARCUT_VERIFY_MODULE_report "/report/(certificate|words)/" "/report/(result|table)\\.cpp$" "/sheet/sheet_facts\\.cpp$")
 set(CLEARCUT_VERIFY_MODULE_pipeline "/pipeline/(check|check_text|copies|program_feeds|result_figures|stated_machine|texts)\\.cpp$"
-  "/pipeline/steps/(certify|out_of_reach|program_conditions|section_order)\\.cpp$")
+  "/pipeline/nesting/" "/pipeline/steps/(certify|out_of_reach|program_conditions|section_order)\\.cpp$")
 
 function(clearcut_verify_module_sources)
   foreach(module read report pipeline)

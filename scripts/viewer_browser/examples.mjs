@@ -43,8 +43,8 @@ export const EXAMPLES = [
   {part: 'board-PTH.drl', options: '--depth 1.6 --tool drill:0.8 --tool drill:1 --tool endmill:0.8'},
 ];
 
-/** What every example may have and nobody is asked: corners out of reach of its cutters, tools changed by hand. */
-const ACCEPTED = '--accept out-of-reach --accept tool-by-hand';
+/** What every example may have and nobody is asked: corners out of reach of its cutters, tools changed by hand, parts that come loose, faces that no work from above makes. */
+const ACCEPTED = ['out-of-reach', 'tool-by-hand', 'loose-part', 'left-out'].map(name => `--accept ${name}`).join(' ');
 
 /** As on the command line. @type {(example: Example) => string} */
 export const optionsOf = example => [example.options, example.planOnly ?? '', ACCEPTED].filter(words => words).join(' ');

@@ -14,6 +14,7 @@
 #include "base/text.h"
 #include "features/round_hole.h"
 #include "features/tool_choice.h"
+#include "model/cutter_profile.h"
 #include "model/results/findings.h"
 #include "model/section_names.h"
 #include "pipeline/copies.h"
@@ -87,24 +88,31 @@ bool is_cleared_or_drilled(const Feature& feature) {
   }
 }
 
-/// Whether one of `tools` goes into a feature, or leaves the fillet at the foot of its walls, and no tool of its steps does: what the program leaves out must not
-/// count as out of reach of the tools that it calls.
+/// Whether the tool clears a floor up to the foot of upright walls.
+bool has_sharp_end(const Tool& tool) {
+  return clears_floors(tool) && flat_end(tool) >= tool.radius();
+}
+
+/// Whether one of `tools` goes into a feature, clears its floor to the foot of the walls, or leaves the fillet there, and no tool of its
+/// steps does: what the program leaves out must not count as out of reach of the tools that it calls.
 bool leaves_a_feature_out(const Part& part, const std::vector<Tool>& tools, const Tolerances& tol) {
   for (std::size_t i = 0; i < part.features.size(); ++i) {
     const Feature& feature = part.features[i];
     if (!is_cleared_or_drilled(feature)) continue;
     double narrowest = std::numeric_limits<double>::infinity();
-    bool keeps_fillet = false;
+    bool keeps_fillet = false, is_sharp = false;
     for (const Workingstep& step : part.workplan) {
       if (step.feature != static_cast<int>(i)) continue;
       narrowest = std::min(narrowest, tool_of(part, step).diameter);
       keeps_fillet = keeps_fillet || features::keeps_fillet(tool_of(part, step), feature);
+      is_sharp = is_sharp || has_sharp_end(tool_of(part, step));
     }
     if (!std::isfinite(narrowest)) continue;
     const double fits = features::largest_fitting_diameter(feature, tol) + tol.fit;
     const auto best = static_cast<std::size_t>(features::tool_for(feature, tools, {}, tol));
     if (narrowest > fits && tools[best].diameter <= fits) return true;
     if (!keeps_fillet && features::keeps_fillet(tools[best], feature)) return true;
+    if (!is_sharp && has_sharp_end(tools[best])) return true;
   }
   return false;
 }

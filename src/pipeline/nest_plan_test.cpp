@@ -261,6 +261,19 @@ TEST(NestOfKinds, RandomSetsAreMadeAsEachPartIsAlone) {
   }
 }
 
+/// The pocket of the one kind that a cutter clears is not out of reach of the drill that the other kinds' program calls.
+TEST(NestOfKinds, AKindWhoseToolIsNeverCalledIsAtFault) {
+  resolve::PlanOptions options = on_sheet("220x130");
+  options.copies.count = 2;
+  options.nested = {nested(block_with_pocket("lid.dxf", 36.5, 29.5), 1)};
+  const Part first = block_with_holes("bar.dxf", 39, 25.6);
+  const PlanResult sheet = plan_part(first, options);
+  EXPECT_EQ(verdict_of(sheet.findings), Verdict::kClean) << faults_of(sheet.findings);
+  ASSERT_TRUE(sheet.copies);
+  for (std::size_t k = 0; k < sheet.copies->places.size(); ++k)
+    if (sheet.copies->places[k].kind == 1) expect_faults_seen(sheet, first, options, static_cast<int>(k) + 1);
+}
+
 /// A part with too narrow a place for its tools is at fault alone, and so is each place of it on a sheet, and no other.
 TEST(NestOfKinds, AKindThatIsFaultyAloneIsFaultyOnTheSheet) {
   resolve::PlanOptions options = on_sheet("200x120");

@@ -46,6 +46,23 @@ TEST(OpenPockets, LinksOfLowerLayersCrossNothingThatStandsBesideThem) {
   }
 }
 
+/// A side that the part touches in its middle alone is open all the same: the cutter comes from there into what narrows towards it.
+TEST(OpenPockets, RoundAPartThatTouchesTheirSidesAreClean) {
+  std::vector<Vec2> part;
+  for (int i = 0; i < 48; ++i) part.push_back(direction_of(-2 * kPi * i / 48) * 30);
+  for (const char* strategy : {"contour", "zigzag"}) {
+    resolve::PlanOptions options = with({"endmill:6"});
+    options.strategy = strategy;
+    const std::string text =
+        R"({"name":"outside","units":"mm","top":0,"kind":"open_pocket","depth":3,"outer":)" +
+        points_of({{-30, -30}, {30, -30}, {30, 30}, {-30, 30}}) + R"(,"islands":[)" + points_of(part) +
+        R"(],"allowed":[{"outer":)" + points_of({{-90, -90}, {90, -90}, {90, 90}, {-90, 90}}) +
+        R"(,"islands":[)" + points_of(part) + "]}]}";
+    const PlanResult result = plan_part(read::read_part_text(text, "outside.json", {}), options);
+    EXPECT_EQ(verdict_of(result.findings), Verdict::kClean) << strategy << "\n" << faults_of(result.findings);
+  }
+}
+
 /// Stars of random corners; more of them with CLEARCUT_RANDOM_PARTS.
 TEST(OpenPockets, RandomOnesAreCleanInSeveralLayers) {
   const char* const asked = std::getenv("CLEARCUT_RANDOM_PARTS");

@@ -77,8 +77,8 @@ std::string conditions_of(const Findings& findings) {
   for (const Condition& one : findings.conditions) {
     text += fmt::format("  condition {}: {}", ascii(one.name), ascii(one.text));
     if (one.line > 0) text += fmt::format(" (line {})", one.line);
-    text +=
-        one.met_by.empty() ? "; say --accept " + ascii(one.name) + " if it does\n" : "; " + one.met_by + "\n";
+    text += one.met_by.empty() ? "; say --accept " + ascii(one.name) + " once you have seen to it\n"
+                               : "; " + one.met_by + "\n";
   }
   return text;
 }

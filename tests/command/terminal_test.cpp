@@ -283,11 +283,11 @@ TEST(Progress, OfReadingSaysThatItReads) {
   SKIP_WITHOUT_OPEN_CASCADE();
   // Thousands of faces.
   test_support::SteppedSolid solid;
-  for (int i = 0; i <= 30; ++i) solid.x.push_back(i);
+  for (int i = 0; i <= 20; ++i) solid.x.push_back(i);
   solid.y = solid.x;
-  for (int j = 0; j < 30; ++j) {
+  for (int j = 0; j < 20; ++j) {
     solid.heights.emplace_back();
-    for (int i = 0; i < 30; ++i) solid.heights.back().push_back(10 + (5 * i + 7 * j) % 11);
+    for (int i = 0; i < 20; ++i) solid.heights.back().push_back(10 + (5 * i + 7 * j) % 11);
   }
   const ScratchFolder folder;
   const auto file = folder.file("blocks.step", step_text(solid));

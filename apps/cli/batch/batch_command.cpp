@@ -199,14 +199,18 @@ class Batch {
   /// Stores the result of a part, and prints a line for it unless it was already done.
   void note(std::size_t index, const Taken& taken) {
     rows_[index] = taken.row;
-    if (line_) line_->clear();
     if (taken.is_kept) {
       ++kept_;
     } else if (!command_.quiet) {
-      print_line(fmt::format("{:12} {}", taken.row.verdict, taken.row.name));
-      std::fflush(stdout);
+      print_row(fmt::format("{:12} {}", taken.row.verdict, taken.row.name));
     }
     if (line_) line_->count(++done_, most_, "parts");
+  }
+
+  void print_row(const std::string& text) {
+    if (line_) return line_->row(text);
+    print_line(text);
+    std::fflush(stdout);
   }
 
   /// All processes of a job have to see the same parts.

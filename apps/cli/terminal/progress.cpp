@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "terminal/output.h"
 #include "terminal/progress_text.h"
 
 namespace clearcut::cli {
@@ -87,9 +88,12 @@ void ProgressLine::expect(const std::string& work, double usual_s) {
   work_ = Work{work, usual_s};
 }
 
-void ProgressLine::clear() {
+void ProgressLine::row(const std::string& text) {
+  // The line is renewed by another thread, which must not do so between its removal and the row.
   const std::lock_guard lock(mutex_);
   if (shown_ && terminal_) std::fputs("\r\x1b[K", stderr);
+  print_line(text);
+  std::fflush(stdout);
 }
 
 void ProgressLine::begin() {

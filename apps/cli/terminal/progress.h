@@ -40,8 +40,8 @@ class ProgressLine {
   void search(const SearchProgress& at);
   /// For several plans or tables: the number of `things` done. Things done before the first call took no time.
   void count(std::size_t done, std::size_t of, const std::string& things);
-  /// Removes the line from the terminal before other output; it appears again later.
-  void clear();
+  /// Prints a row of results on standard output in place of the line, which appears again below it.
+  void row(const std::string& text);
   /// Prints a separate, permanent line at once.
   void say(const std::string& line);
   /// For work without counts: its name, and its measured usual time, 0 if unknown.

@@ -54,13 +54,18 @@ class BeginWriter {
       if (!word.empty()) line += (line.empty() ? "" : " ") + word;
     add(line);
   }
-  void add_comment(const std::string& said) { add(way_.semicolons ? "; " + said : "(" + said + ")"); }
+  bool is_sinumerik() const { return rules_.language == read::gcode::Language::kSinumerik; }
+  void add_comment(const std::string& said) {
+    add(way_.semicolons || is_sinumerik() ? "; " + said : "(" + said + ")");
+  }
   bool is_placed() const { return held_.position[0] && held_.position[1] && held_.position[2]; }
   std::string at(std::size_t axis, double place) const {
     return place_word("XYZ"[axis], (place - held_.shift[axis]) / held_.modes.unit);
   }
   std::string at(std::size_t axis) const { return at(axis, *held_.position[axis]); }
-  std::string feed_word(double feed) const { return "F" + trimmed(feed / held_.modes.unit, 6); }
+  std::string feed_word(double feed) const {
+    return "F" + trimmed(feed / (words_.feeds_in_mm ? 1 : held_.modes.unit), 6);
+  }
 
   void write_modes() {
     add_words({words_.plane, words_.units, words_.compensation, words_.cycle_end, "G90", words_.centers,
@@ -73,6 +78,7 @@ class BeginWriter {
     if (words_.local_shift) add_words({"G52", shift_word(0), shift_word(1), shift_word(2)});
     add(words_.path);
     add(words_.smoothing);
+    for (const std::string& way : words_.ways) add(way);
   }
   std::string shift_word(std::size_t axis) const {
     return place_word("XYZ"[axis], held_.local[axis] / held_.modes.unit);
@@ -84,8 +90,8 @@ class BeginWriter {
       if (words_.home.starts_with("G91")) add("G90");
     }
     if (held_.tool_said) {
-      add_words({fmt::format("T{}", held_.tool), held_.changer ? "M6" : ""});
-      if (held_.next_tool != held_.tool) add(fmt::format("T{}", held_.next_tool));
+      add_words({tool_word(words_.tool_name, held_.tool), held_.changer ? "M6" : ""});
+      call_next_tool();
     }
     if (way_.tools_by_comments && held_.tool > 0) add_comment(fmt::format("TOOL CHANGE T{}", held_.tool));
     const std::string speed = held_.modes.speed > 0 ? "S" + trimmed(held_.modes.speed, 6) : "";
@@ -94,13 +100,22 @@ class BeginWriter {
     if (turns && held_.spindle_wait > 0) add(dwell());
   }
 
+  static std::string tool_word(const std::string& name, int number) {
+    return name.empty() ? fmt::format("T{}", number) : name;
+  }
+  void call_next_tool() {
+    if (held_.next_tool != held_.tool) add(tool_word(words_.next_tool_name, held_.next_tool));
+  }
+
   /// As the control counts it.
   std::string dwell() const {
+    if (is_sinumerik()) return "G4 F" + trimmed(held_.spindle_wait, 3);
     if (rules_.dwell_in_ms) return "G4 P" + trimmed(std::ceil(held_.spindle_wait * 1000), 0);
     return "G4 P" + trimmed(held_.spindle_wait, 3);
   }
 
   std::string length_words() const {
+    if (is_sinumerik()) return words_.length;
     const ToolLength& length = held_.modes.length;
     switch (length.kind) {
       case LengthKind::kNumbered:
@@ -147,7 +162,7 @@ class BeginWriter {
 
   /// What holds until the next tool comes in, and behind it.
   void write_until_change() {
-    if (held_.tool_said && held_.next_tool != held_.tool) add(fmt::format("T{}", held_.next_tool));
+    if (held_.tool_said) call_next_tool();
     if (held_.modes.speed > 0) add("S" + trimmed(held_.modes.speed, 6));
     write_unplaced();
   }

@@ -15,6 +15,7 @@
 #include "read/gcode/control/held_state.h"
 #include "read/gcode/klartext/klartext.h"
 #include "read/gcode/klartext/words.h"
+#include "read/gcode/sinumerik/sinumerik.h"
 #include "read/gcode/words/lines.h"
 #include "resolve/resolve.h"
 
@@ -340,10 +341,14 @@ int count_lines(std::string_view text) {
 
 StopScan stops_of(std::string_view program, const std::string& name,
                   const read::gcode::ReadControllerOptions& reading, int line) {
-  const bool is_klartext =
-      read::gcode::rules_of(*reading.dialect).language == read::gcode::Language::kKlartext;
-  return is_klartext ? read::gcode::scan_klartext_stops(program, name, reading, line)
-                     : read::gcode::scan_stops(program, name, reading, line);
+  switch (read::gcode::rules_of(*reading.dialect).language) {
+    case read::gcode::Language::kKlartext:
+      return read::gcode::scan_klartext_stops(program, name, reading, line);
+    case read::gcode::Language::kSinumerik:
+      return read::gcode::scan_sinumerik_stops(program, name, reading, line);
+    default:
+      return read::gcode::scan_stops(program, name, reading, line);
+  }
 }
 
 /// The name and the block of a Klartext program, as they stand at its beginning, and `begin` behind them, numbered as they are.
@@ -365,6 +370,36 @@ std::string klartext_head(std::string_view program, const std::string& begin) {
     head += (is_numbered && is_block ? fmt::format("{} {}", number++, line) : std::string(line)) + "\n";
   }
   return head;
+}
+
+/// The lines in front of which a Sinumerik takes no block: "%_N_PART_MPF" and ";$PATH=".
+std::string sinumerik_head(std::string_view program) {
+  read::gcode::Lines lines(program);
+  std::string head;
+  for (std::string_view line; lines.next(line) && (line.starts_with('%') || line.starts_with(";$"));)
+    head += std::string(line) + "\n";
+  return head;
+}
+
+/// `begin` behind what has to stand at the beginning of the program.
+std::string head_before(std::string_view program, const std::string& name, read::gcode::Language language,
+                        const std::string& begin) {
+  switch (language) {
+    case read::gcode::Language::kKlartext:
+      return klartext_head(program, begin);
+    case read::gcode::Language::kSinumerik:
+      return sinumerik_head(program) + begin;
+    default:
+      return head_of(program, name) + begin;
+  }
+}
+
+/// The first line behind the block in front of `line`: comments between both belong to what follows.
+int first_comment_before(const StopScan& scan, int line) {
+  int first = line;
+  for (const StopBlock& block : scan.blocks)
+    if (block.line < line) first = block.line + 1;
+  return first;
 }
 
 void require_same_state(const StopScan& was, const std::string& name,
@@ -405,11 +440,6 @@ ResumedProgram resume_checked(CheckResult checked, const ProgramQuestion& questi
   resumed.before = std::move(checked);
   const CheckResult& before = resumed.before;
   const read::gcode::DialectRules& rules = read::gcode::rules_of(before.dialect);
-  const bool is_klartext = rules.language == read::gcode::Language::kKlartext;
-  if (rules.language == read::gcode::Language::kSinumerik)
-    throw InputError(program_name, fmt::format("programs of {} are not resumed; the control's own restart "
-                                               "from a block goes on with them",
-                                               rules.title));
   if (stop.place) find_line_at(*stop.place, before.toolpath, program_name, resumed);
   const auto reading = reading_again(before, program, program_name, options);
   const int asked = stop.line.value_or(resumed.line);
@@ -438,10 +468,11 @@ ResumedProgram resume_checked(CheckResult checked, const ProgramQuestion& questi
   way.semicolons = uses_semicolons(program);
   way.tools_by_comments = rules.names_no_tools;
   const std::string begin = lines_that_begin_again(held, rules, way, resumed.line);
-  const std::string head =
-      is_klartext ? klartext_head(program, begin) : head_of(program, program_name) + begin;
-  resumed.new_lines = count_lines(head) + 1 - resumed.line;
-  resumed.program = head + std::string(rest_from(program, resumed.line));
+  const std::string head = head_before(program, program_name, rules.language, begin);
+  // Where comments name the tools, the one in front of a pause names the tool that is put in at it.
+  const int rest_line = rules.names_no_tools ? first_comment_before(scan, resumed.line) : resumed.line;
+  resumed.new_lines = count_lines(head) + 1 - rest_line;
+  resumed.program = head + std::string(rest_from(program, rest_line));
   require_same_state(scan, program_name, reading_again(before, resumed.program, program_name, options),
                      resumed);
 

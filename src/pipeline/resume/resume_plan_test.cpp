@@ -258,6 +258,77 @@ TEST(ResumeKlartext, NamesTheNearestLineThatServes) {
   EXPECT_THAT(klartext_refused(35), HasSubstr("after lines that compute or call"));
 }
 
+const std::string kSinumerik = R"(%_N_POCKET_MPF
+;$PATH=/_N_WKS_DIR
+G17 G710 G90 G94 G500
+SOFT FFWON
+CYCLE832(0.02,_ROUGH,1)
+T="MILL" M6
+S12000 M3
+G4 F2
+G0 X20 Y20 D1
+Z5 M8
+G1 Z-2 F300
+X40 F1000
+Y30
+X20
+CYCLE832(0,_OFF,1)
+G642 CTOL=0.01
+Y20
+BRISK
+X22
+G0 Z5
+TRANS X10
+G0 X12 Y20
+TRANS
+MCALL CYCLE81(25,0,2,-4)
+G0 X30 Y25
+X32
+MCALL
+G0 Z25
+T="DRILL" M6
+S3000 M3
+G0 X50 Y40 D1
+Z5
+G1 Z-1 F100
+Z5 F300
+R1=5
+M30
+)";
+
+ResumedProgram sinumerik_resumed(int line) {
+  return resumed_alone(kSinumerik, line, read::gcode::Dialect::kSiemens);
+}
+std::string sinumerik_refused(int line) {
+  try {
+    sinumerik_resumed(line);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(ResumeSinumerik, BringsTheControlIntoTheStateBeforeTheLine) {
+  const ResumedProgram resumed = sinumerik_resumed(13);
+  EXPECT_EQ(faults_of(resumed.after.findings), "");
+  EXPECT_EQ(resumed.program.substr(0, resumed.program.find("Y30\n")),
+            "%_N_POCKET_MPF\n;$PATH=/_N_WKS_DIR\n; RESUMED BEFORE LINE 13\nG17 G710 G90 G94\nG500\n"
+            "CYCLE832(0.02,_ROUGH,1)\nSOFT\nFFWON\nT=\"MILL\" M6\nS12000 M3\nG4 F2\nG0 D1 Z25.\n"
+            "G0 X40. Y20.\nM8\nG0 Z2.\nG1 Z-2. F300\nG1 Z-2. F1000\n");
+  EXPECT_THAT(resumed.program, ::testing::EndsWith(kSinumerik.substr(kSinumerik.find("Y30\n"))));
+  // The way of rounding corners and of driving is the last one.
+  EXPECT_THAT(sinumerik_resumed(19).program, HasSubstr("G642 CTOL=0.01\nFFWON\nBRISK\n"));
+}
+
+TEST(ResumeSinumerik, NamesTheNearestLineThatServes) {
+  EXPECT_THAT(sinumerik_refused(22), HasSubstr("(G68, G51.1, G16, TRANS, ROT, cycles 7 and 10); the nearest "
+                                               "line that serves is --line 21"));
+  EXPECT_THAT(sinumerik_refused(26),
+              HasSubstr("within a drilling or tapping cycle; the nearest line that serves is --line 24"));
+  EXPECT_EQ(sinumerik_refused(27), "none");
+  EXPECT_THAT(sinumerik_refused(36), HasSubstr("after lines that compute or call"));
+}
+
 TEST(Resume, APlaceIsPassedByTheFirstMoveThatRunsThere) {
   ProgramQuestion question;
   question.stock = Stock{{{0, 0}, {60, 50}}, -10, 0};
@@ -372,8 +443,8 @@ TEST(Resume, RandomStopsMakeTheSamePart) {
                           circle("DRILL_D12", {50.8, 20.32}, 2.5));
   Random random(49);
   Counted counted;
-  for (const char* dialect :
-       {"linuxcnc", "grbl", "fanuc", "haas", "mach3", "mach4", "mazak", "tormach", "marlin", "heidenhain"}) {
+  for (const char* dialect : {"linuxcnc", "grbl", "fanuc", "haas", "mach3", "mach4", "mazak", "tormach",
+                              "marlin", "heidenhain", "siemens"}) {
     for (const bool inch : {false, true}) {
       if (inch && std::string(dialect) == "marlin") continue;
       resolve::PlanOptions options = with({"endmill:6", "drill:5"});

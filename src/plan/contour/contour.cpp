@@ -37,8 +37,10 @@ constexpr double kRingResidual = 0.001;
 /// mm. On layers without permitted residual: overlap of rings, and of the paths clearing the residuals of rings.
 constexpr double kBareOverlap = 0.004;
 constexpr double kBareMargin = 0.002;
-/// mm. An edge of the target with its middle farther than this from every wall is open.
+/// mm. An edge of the target with one of a few places farther than this from every wall is open: a side that a wall touches at a place
+/// alone is none. At these shares of its length, which no outline has for a reason.
 constexpr double kOpenDistance = 1e-3;
+constexpr double kPlacesOnEdge[] = {0.23, 0.5, 0.71};
 
 /// mm. Residual permitted at the border of a face. Share of the tool radius: distance between samples of this border.
 constexpr double kArmResidual = 0.005;
@@ -49,12 +51,17 @@ bool on_wall(Vec2 p, const Regions& allowed) {
                      [&](const Region& region) { return region.boundary_distance(p) <= kOpenDistance; });
 }
 
+bool is_wall(const Edge& edge, const Regions& allowed) {
+  return std::all_of(std::begin(kPlacesOnEdge), std::end(kPlacesOnEdge),
+                     [&](double share) { return on_wall(edge.at(share), allowed); });
+}
+
 bool has_wall(const Loop& loop, const Regions& allowed) {
-  return std::any_of(loop.begin(), loop.end(), [&](const Edge& e) { return on_wall(e.at(0.5), allowed); });
+  return std::any_of(loop.begin(), loop.end(), [&](const Edge& e) { return is_wall(e, allowed); });
 }
 
 bool has_open_side(const Loop& loop, const Regions& allowed) {
-  return std::any_of(loop.begin(), loop.end(), [&](const Edge& e) { return !on_wall(e.at(0.5), allowed); });
+  return std::any_of(loop.begin(), loop.end(), [&](const Edge& e) { return !is_wall(e, allowed); });
 }
 
 /// Share of the radius. Beside a wall's end the strip of air must be wider than the cutter, or a ring would

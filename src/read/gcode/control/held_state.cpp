@@ -29,7 +29,7 @@ constexpr HindranceText kHindranceTexts[] = {
     {Hindrance::kUnplaced, "before the program has stated where the cutter is"},
     {Hindrance::kCompensation, "under cutter radius compensation"},
     {Hindrance::kMap,
-     "while places are shifted, turned, mirrored or polar (G68, G51.1, G16, cycles 7 and 10)"},
+     "while places are shifted, turned, mirrored or polar (G68, G51.1, G16, TRANS, ROT, cycles 7 and 10)"},
     {Hindrance::kShift, "while the zero is where the cutter stood when it was set (G92, G10)"},
     {Hindrance::kSavedModes, "while modes are kept for later (M70)"},
     {Hindrance::kOldLength, "between a change of tools and the word for the new length (G43)"},
@@ -83,7 +83,7 @@ class Follower {
       if (scan.blocks.empty() || scan.blocks.back().line != block_.line)
         scan.blocks.push_back({.line = block_.line});
     }
-    settle_motion_words(scan);
+    settle_motion_words(needs_, scan);
     return scan;
   }
 
@@ -137,27 +137,12 @@ class Follower {
     return old_length_ ? Hindrance::kOldLength : Hindrance::kNone;
   }
 
-  /// What a place without a motion word of its own would need from the lines above.
-  enum class Need : unsigned char { kNothing, kPasses, kCycle, kArcs, kStraight };
-  Need need_of(const StopBlock& stop) {
-    if (motion_in(block_) >= 0) return Need::kNothing;
-    if (!stop.moves) return Need::kPasses;
+  MotionNeed need_of(const StopBlock& stop) {
+    if (motion_in(block_) >= 0) return MotionNeed::kNothing;
+    if (!stop.moves) return MotionNeed::kPasses;
     const int motion = interpreter_.control().motion;
-    if (motion == 0 || motion == 10) return stop.is_placed ? Need::kNothing : Need::kStraight;
-    return motion == 20 || motion == 30 ? Need::kArcs : Need::kCycle;
-  }
-
-  /// The first place after a line decides what is needed of the lines above it.
-  void settle_motion_words(StopScan& scan) const {
-    Need need = Need::kNothing;
-    for (std::size_t i = needs_.size(); i-- > 0;) {
-      if (needs_[i] != Need::kPasses) need = needs_[i];
-      Hindrance& found = scan.blocks[i].hindrance;
-      if (found != Hindrance::kNone) continue;
-      if (need == Need::kCycle) found = Hindrance::kCycle;
-      if (need == Need::kArcs) found = Hindrance::kArcs;
-      if (need == Need::kStraight) found = Hindrance::kUnplaced;
-    }
+    if (motion == 0 || motion == 10) return stop.is_placed ? MotionNeed::kNothing : MotionNeed::kStraight;
+    return motion == 20 || motion == 30 ? MotionNeed::kArcs : MotionNeed::kCycle;
   }
 
   void execute() {
@@ -296,7 +281,7 @@ class Follower {
   Interpreter interpreter_;
   BlockReader reader_;
   Block block_;
-  std::vector<Need> needs_;
+  std::vector<MotionNeed> needs_;
   HeldWords words_;
   bool old_length_ = false;
   bool compensates_ = false, zero_moved_ = false, keeps_modes_ = false;
@@ -330,6 +315,18 @@ bool same_pole(const std::optional<Vec2>& a, const std::optional<Vec2>& b) {
 
 const char* text_of(Hindrance hindrance) {
   return kHindranceTexts[static_cast<std::size_t>(hindrance)].text;
+}
+
+void settle_motion_words(const std::vector<MotionNeed>& needs, StopScan& scan) {
+  MotionNeed need = MotionNeed::kNothing;
+  for (std::size_t i = needs.size(); i-- > 0;) {
+    if (needs[i] != MotionNeed::kPasses) need = needs[i];
+    Hindrance& found = scan.blocks[i].hindrance;
+    if (found != Hindrance::kNone) continue;
+    if (need == MotionNeed::kCycle) found = Hindrance::kCycle;
+    if (need == MotionNeed::kArcs) found = Hindrance::kArcs;
+    if (need == MotionNeed::kStraight) found = Hindrance::kUnplaced;
+  }
 }
 
 double wait_behind_spindle(const std::vector<ControlEvent>& events) {

@@ -52,6 +52,12 @@ struct HeldWords {
   std::string tool_definitions;      ///< Klartext: lines that state lengths and radii of tools
   std::string tool_calls;            ///< Klartext: lines from the last change of tools on
   std::string cycle;                 ///< Klartext: lines of the definition of the last cycle for holes
+  std::string length;                ///< Sinumerik: "D1"
+  std::string tool_name,
+      next_tool_name;  ///< Sinumerik: T="MILL6", where the tool in the spindle, or the one called last, has a name
+  std::vector<std::string>
+      ways;  ///< Sinumerik: how axes are driven and corners gone round, "SOFT", "FFWON", "G451"
+  bool feeds_in_mm = false;  ///< Sinumerik: G70 and G71 are for lengths alone
 };
 
 struct HeldState {
@@ -82,6 +88,12 @@ struct StopScan {
   int held_line = 0, moving_line = 0;
   int macro_line = 0;  ///< where the program begins to compute or call; 0: nowhere
 };
+
+/// What a place without a motion word of its own needs from the lines above it.
+enum class MotionNeed : unsigned char { kNothing, kPasses, kCycle, kArcs, kStraight };
+/// For each block of `scan` what it needs. The first place behind a block decides whether the program can be begun anew at it: sets the
+/// hindrances that are kNone so far.
+void settle_motion_words(const std::vector<MotionNeed>& needs, StopScan& scan);
 
 /// `text` is one that read_gcode() takes as `options.dialect`. Blocks behind macro_line are not listed.
 StopScan scan_stops(std::string_view text, const std::string& file_name, const ReadControllerOptions& options,

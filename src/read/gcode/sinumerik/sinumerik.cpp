@@ -2,6 +2,9 @@
 // other controls are handed to their interpreter (control/).
 #include "read/gcode/sinumerik/sinumerik.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,6 +24,7 @@
 #include "read/gcode/control/place_words.h"
 #include "read/gcode/motion/cycle.h"
 #include "read/gcode/program/program.h"
+#include "read/gcode/sinumerik/held_words.h"
 #include "read/gcode/sinumerik/language.h"
 #include "read/gcode/sinumerik/words.h"
 #include "read/gcode/words/block.h"
@@ -136,6 +140,28 @@ class SinumerikReader {
     return control_.ended;
   }
 
+  /// Follows the program and keeps what its words leave behind.
+  StopScan scan(std::string_view text, int line) {
+    StopScan scan;
+    std::vector<MotionNeed> needs;
+    Lines lines(text);
+    try {
+      for (std::string_view one; !control_.ended && lines.next(one);) {
+        control_.line = lines.number();
+        const SinumerikBlock block = sinumerik_block(one, refuse_, computes_);
+        if (!block.words.empty()) scan_block(block, line, needs, scan);
+      }
+    } catch (const MacroError&) {
+      scan.macro_line = control_.line;
+      if (scan.blocks.empty() || scan.blocks.back().line != control_.line) {
+        scan.blocks.push_back({.line = control_.line});
+        needs.push_back(MotionNeed::kPasses);
+      }
+    }
+    settle_motion_words(needs, scan);
+    return scan;
+  }
+
   /// Programs that compute, loop and call.
   bool run(std::string_view text, const std::string& file_name) {
     const SinumerikBlocks blocks{[this](std::string_view block, int line) { execute_line(block, line); },
@@ -160,6 +186,117 @@ class SinumerikReader {
     const SinumerikBlock block = sinumerik_block(line, refuse_, computes_);
     read_marker(block.comment, control_.builder);
     if (!block.words.empty()) execute(block);
+  }
+
+  // --- where the program can be begun anew
+
+  void scan_block(const SinumerikBlock& block, int line, std::vector<MotionNeed>& needs, StopScan& scan) {
+    const StopBlock stop = stop_at(block);
+    needs.push_back(need_of(block, stop));
+    scan.blocks.push_back(stop);
+    if (stop.line >= line && !scan.held) {
+      scan.held = held();
+      scan.held_line = stop.line;
+    }
+    if (stop.line >= line && stop.moves && !scan.moving) {
+      scan.moving = held();
+      scan.moving_line = stop.line;
+    }
+    const Coolant before = control_.modes.coolant;
+    execute(block);
+    keep_sinumerik_words(block, held_words_);
+    const Coolant now = control_.modes.coolant;
+    if (now == before) return;
+    held_words_.coolant.clear();
+    if (has_flood(now)) held_words_.coolant.emplace_back("M8");
+    if (has_mist(now)) held_words_.coolant.emplace_back("M7");
+  }
+
+  static bool has_word(const SinumerikBlock& block, std::string_view name) {
+    return std::any_of(block.words.begin(), block.words.end(),
+                       [&](const SinumerikWord& word) { return word.name == name; });
+  }
+  static std::optional<int> motion_word(const SinumerikBlock& block) {
+    for (const SinumerikWord& word : block.words)
+      if (word.name == "G" && word.number >= 0 && word.number <= 3) return static_cast<int>(word.number);
+    return std::nullopt;
+  }
+
+  StopBlock stop_at(const SinumerikBlock& block) {
+    StopBlock stop;
+    stop.line = control_.line;
+    const bool has_frame = std::any_of(block.words.begin(), block.words.end(), [](const SinumerikWord& word) {
+      const auto use = use_of(word.name);
+      return use == NamedUse::kShift || use == NamedUse::kShiftMore || use == NamedUse::kFrame;
+    });
+    stop.moves =
+        !has_frame && std::any_of(block.words.begin(), block.words.end(), [](const SinumerikWord& word) {
+          return word.name.size() == 1 && kPlaces.find(word.name[0]) != std::string_view::npos;
+        });
+    stop.changes_tool = std::any_of(block.words.begin(), block.words.end(), [](const SinumerikWord& word) {
+      return word.name == "M" && word.number == 6;
+    });
+    const Target& at = control_.builder.position();
+    stop.is_placed = at[0] && at[1] && at[2];
+    stop.z = at[2].value_or(0);
+    stop.tool = control_.builder.drive.tool;
+    stop.hindrance = hindrance_at(block);
+    return stop;
+  }
+
+  Hindrance hindrance_at(const SinumerikBlock& block) const {
+    if (control_.builder.compensates() || control_.builder.compensation_leaves())
+      return Hindrance::kCompensation;
+    if (control_.builder.waits_at_corner()) return Hindrance::kCorner;
+    const bool is_shifted = std::any_of(shifts_.begin(), shifts_.end(), [](double mm) { return mm != 0; });
+    if (control_.plan_map.is_on || is_shifted) return Hindrance::kMap;
+    if (modal_ && !has_word(block, "MCALL")) return Hindrance::kCycle;
+    return Hindrance::kNone;
+  }
+
+  MotionNeed need_of(const SinumerikBlock& block, const StopBlock& stop) const {
+    if (motion_word(block)) return MotionNeed::kNothing;
+    if (!stop.moves) return MotionNeed::kPasses;
+    const bool is_straight = control_.motion == 0 || control_.motion == 10;
+    if (is_straight) return stop.is_placed ? MotionNeed::kNothing : MotionNeed::kStraight;
+    return MotionNeed::kArcs;
+  }
+
+  HeldState held() {
+    HeldState state;
+    state.modes = control_.modes;
+    state.modes.system = control_.frame.system();
+    state.motion = control_.motion;
+    state.tool = control_.builder.drive.tool;
+    state.next_tool = control_.next_tool;
+    state.tool_said = control_.tool_said;
+    state.changer = control_.changer;
+    state.position = control_.builder.position();
+    for (std::size_t axis = 0; axis < 3; ++axis) state.shift[axis] = control_.frame.shift(axis);
+    state.at_home = control_.builder.at_home_height();
+    state.spindle_wait = wait_behind_spindle(control_.builder.events());
+    state.words = held_words_;
+    state.words.path = path_words();
+    return state;
+  }
+
+  /// The words that round corners as they are rounded now.
+  std::string path_words() const {
+    if (!high_speed_.empty()) return high_speed_;
+    const auto number = [&](double mm) { return trimmed(mm / control_.modes.unit, 6); };
+    switch (rounding_) {
+      case Rounding::kUnstated:
+        return "";
+      case Rounding::kExactStop:
+        return "G60";
+      case Rounding::kFree:
+        return "G64";
+      case Rounding::kDistance:
+        return "G641 ADIS=" + number(distance_mm_);
+      case Rounding::kContour:
+        return contour_mm_ ? "G642 CTOL=" + number(*contour_mm_) : "G642";
+    }
+    return "";
   }
 
   /// How corners are rounded.
@@ -187,7 +324,10 @@ class SinumerikReader {
     // F and S of a dwell are its time.
     take_drive_words(block, found);
     modes_.set_modes(found.block);
-    if (found.changes_path) set_path();
+    if (found.changes_path) {
+      high_speed_.clear();
+      set_path();
+    }
     modes_.set_feed_and_drive(found.block, feed_unit());
     follow_tool(found);
     const bool moves = !found.dwells && !found.frame && !found.modal && !found.call;
@@ -666,6 +806,7 @@ class SinumerikReader {
     }
     rounding_ = is_off ? Rounding::kUnstated : Rounding::kContour;
     contour_word_ = is_off ? 0 : tolerance;
+    high_speed_ = is_off ? std::string() : fmt::format("CYCLE832({})", fmt::join(call.arguments, ","));
     set_path();
   }
 
@@ -782,6 +923,8 @@ class SinumerikReader {
   ModeWords modes_;
   RefuseBlock refuse_ = [this](const std::string& why) { control_.refuse(why); };
   RefuseBlock computes_ = [this](const std::string& why) { control_.macro(why); };
+  HeldWords held_words_;    ///< while stops are scanned
+  std::string high_speed_;  ///< the call of CYCLE832 in force, as text
   std::optional<SinumerikWord> modal_;
   std::map<std::string, int> tool_numbers_;
   Rounding rounding_ = Rounding::kUnstated;
@@ -794,6 +937,14 @@ class SinumerikReader {
 };
 
 }  // namespace
+
+StopScan scan_sinumerik_stops(std::string_view text, const std::string& file_name,
+                              const ReadControllerOptions& options, int line) {
+  Diagnostics diagnostics;
+  std::vector<Condition> conditions;
+  ToolpathBuilder builder({file_name, options.home_z, options.safe_z}, diagnostics, conditions);
+  return SinumerikReader(rules_of(*options.dialect), options, builder).scan(text, line);
+}
 
 bool read_sinumerik(std::string_view text, const std::string& file_name, SinumerikDepth depth,
                     const DialectRules& rules, const ReadControllerOptions& options,
