@@ -49,7 +49,7 @@ int parse_and_run(int argc, char** argv) {
   app.footer("clearcut COMMAND --help says all about a command; man clearcut says it of every one.");
   app.set_version_flag("--version", std::string("clearcut ") + clearcut::kVersion, "Print the version");
   app.require_subcommand(1);
-  add_commands(app, exit_code);
+  add_commands(app, exit_code, argc > 1 ? argv[1] : "");
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {

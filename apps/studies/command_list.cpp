@@ -21,7 +21,7 @@ void add_whole(CLI::App& app, int& exit_code) {
 
 }  // namespace
 
-void add_commands(CLI::App& app, int& exit_code) {
+void add_commands(CLI::App& app, int& exit_code, std::string_view /*named*/) {
   add_compare_command(app, exit_code, compare_at_random);
   add_research(app, exit_code);
   add_generate_command(app, exit_code, add_whole);

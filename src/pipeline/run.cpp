@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/progress.h"
 #include "base/text.h"
+#include "geometry/voronoi/clearance.h"
 #include "model/results/findings.h"
 #include "pipeline/job_options.h"
 #include "pipeline/planning.h"
@@ -231,6 +232,7 @@ void complete_verdict(const Toolpath& toolpath, const ResolvedPlan& plan, PlanRe
 }
 
 PlanResult plan_one_part(const Part& part, const resolve::PlanOptions& options) {
+  const KeptClearances kept;
   const StrategyTable& strategies = strategies_of(options);
   const ResolvedPlan plan = resolve::resolve_possible(part, options, strategies);
   PlanResult result;

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <string_view>
 
 namespace clearcut::cli {
 
@@ -19,7 +20,9 @@ inline int exit_code_of(const Findings& findings) {
 }
 
 /// The commands of a program: clearcut (command_list.cpp), clearcut-studies (apps/studies) or the page (apps/web).
-void add_commands(CLI::App& app, int& exit_code);
+/// `named`: the command that was called, "" if none; others may be left out then, since their options take longer to
+/// declare than small parts to read.
+void add_commands(CLI::App& app, int& exit_code, std::string_view named);
 
 void add_plan_command(CLI::App& app, int& exit_code);
 void add_verify_command(CLI::App& app, int& exit_code);
@@ -44,6 +47,8 @@ void add_infill_command(CLI::App& app, int& exit_code);
 void add_init_command(CLI::App& app, int& exit_code);
 /// All commands of `clearcut` but research. `at_random` as add_compare_command.
 void add_product_commands(CLI::App& app, int& exit_code, void (*at_random)(const RandomPockets&));
+/// Adds one of them by its name; false if there is no such command that needs nothing else.
+bool add_product_command(CLI::App& app, int& exit_code, std::string_view name);
 /// Hidden. `add_whole`: adds all commands described in pages, completions and the list of options.
 void add_generate_command(CLI::App& app, int& exit_code, void (*add_whole)(CLI::App&, int&));
 void add_serve_command(CLI::App& app, int& exit_code);

@@ -94,17 +94,22 @@ LegalArea::LegalArea(Regions regions) : regions_(std::move(regions)) {
   cells_per_mm_ = 1 / cell_;
   columns_ = column(grid_.max.x) + 1;
   rows_ = row(grid_.max.y) + 1;
-  cells_.resize(columns_ * rows_);
-  first_columns_.reserve(boxes_.size());
-  for (const Box& box : boxes_) first_columns_.push_back(column(box.min.x));
-  for (std::size_t i = 0; i < boxes_.size(); ++i) {
+  sort_edges();
+  mark_empty_cells();
+  find_next_empty();
+}
+
+void LegalArea::sort_edges() {
+  for (std::uint32_t i = 0; i < boxes_.size(); ++i) {
+    const std::size_t first = column(boxes_[i].min.x), last = column(boxes_[i].max.x);
+    const bool is_level = !edges_[i].is_arc() && edges_[i].from.y == edges_[i].to.y;
     for (std::size_t r = row(boxes_[i].min.y); r <= row(boxes_[i].max.y); ++r) {
-      for (std::size_t c = column(boxes_[i].min.x); c <= column(boxes_[i].max.x); ++c) {
-        cells_[r * columns_ + c].push_back(i);
-      }
+      for (std::size_t c = first; c <= last; ++c) in_cells_.add(r * columns_ + c, i);
+      if (!is_level) begin_in_.add(r * columns_ + first, i);
     }
   }
-  mark_empty_cells();
+  in_cells_.build(columns_ * rows_);
+  begin_in_.build(columns_ * rows_);
 }
 
 /// The box of nearly all edges: with a distant frame included, all other edges would be in one cell.
@@ -119,15 +124,15 @@ Box LegalArea::densest_part() const {
 
 /// Neighbouring cells without edges are on the same side: one exact test for each connected group.
 void LegalArea::mark_empty_cells() {
-  inside_.assign(cells_.size(), kUnknown);
+  inside_.assign(columns_ * rows_, kUnknown);
   std::vector<std::size_t> open;
-  for (std::size_t first = 0; first < cells_.size(); ++first) {
-    if (inside_[first] != kUnknown || !cells_[first].empty()) continue;
+  for (std::size_t first = 0; first < inside_.size(); ++first) {
+    if (inside_[first] != kUnknown || !is_empty(first)) continue;
     const char side = clearcut::contains(regions_, cell_box(first).center()) ? 1 : 0;
     inside_[first] = side;
     open.push_back(first);
     const auto visit = [&](std::size_t cell) {
-      if (inside_[cell] != kUnknown || !cells_[cell].empty()) return;
+      if (inside_[cell] != kUnknown || !is_empty(cell)) return;
       inside_[cell] = side;
       open.push_back(cell);
     };
@@ -142,6 +147,16 @@ void LegalArea::mark_empty_cells() {
   }
 }
 
+void LegalArea::find_next_empty() {
+  next_empty_.resize(inside_.size());
+  for (std::size_t cell = inside_.size(); cell-- > 0;) {
+    const bool is_last = (cell + 1) % columns_ == 0;
+    next_empty_[cell] = static_cast<std::uint32_t>(is_empty(cell) ? cell
+                                                   : is_last      ? cell + 1
+                                                                  : next_empty_[cell + 1]);
+  }
+}
+
 Box LegalArea::cell_box(std::size_t cell) const {
   const std::size_t column = cell % columns_, row = cell / columns_;
   const Vec2 low = grid_.min + Vec2{static_cast<double>(column), static_cast<double>(row)} * cell_;
@@ -153,18 +168,13 @@ bool LegalArea::contains(Vec2 p) const {
   if (edges_.empty() || !box_.contains(p)) return false;
   const std::size_t begin = row(p.y) * columns_, end = begin + columns_, first = begin + column(p.x);
   if (inside_[first] != kUnknown) return inside_[first] != 0;
-  std::size_t known = first;
-  while (known < end && !cells_[known].empty()) ++known;
+  const std::size_t known = next_empty_[first];
   const bool beside = known == end;
   const double x = beside ? box_.max.x + cell_ : cell_box(known).center().x;
   int around = beside ? 0 : inside_[known];
-  for (std::size_t cell = first; cell < known; ++cell) {
-    for (const std::size_t i : cells_[cell]) {
-      // Within a row an edge is in adjacent cells; the edge is counted only in the first of them.
-      const bool counted = cell > first && first_columns_[i] + begin < cell;
-      if (!counted) around += crossings(i, p, x);
-    }
-  }
+  for (const std::uint32_t i : in_cells_.at(first)) around += crossings(i, p, x);
+  // In the cells after the first, those that begin there: within a row an edge is in adjacent cells.
+  for (const std::uint32_t i : begin_in_.in(first + 1, known)) around += crossings(i, p, x);
   return around != 0;
 }
 
@@ -198,7 +208,7 @@ void LegalArea::for_edges_along(Vec2 a, Vec2 b, const F& f) const {
   const auto x_at = [&](double y) {
     return b.y > a.y ? std::lerp(a.x, b.x, std::clamp((y - a.y) / (b.y - a.y), 0.0, 1.0)) : a.x;
   };
-  Few<std::size_t> met;
+  Few<std::uint32_t> met;
   for (std::size_t r = row(where.min.y); r <= row(where.max.y); ++r) {
     const double low = grid_.min.y + static_cast<double>(r) * cell_ - 2 * kSlack;
     const double high = low + cell_ + 4 * kSlack;
@@ -207,7 +217,7 @@ void LegalArea::for_edges_along(Vec2 a, Vec2 b, const F& f) const {
     const double x0 = level || r == 0 ? a.x : x_at(low), x1 = level || r + 1 == rows_ ? b.x : x_at(high);
     const std::size_t last = column(std::max(x0, x1) + kSlack);
     for (std::size_t c = column(std::min(x0, x1) - kSlack); c <= last; ++c) {
-      for (const std::size_t i : cells_[r * columns_ + c]) {
+      for (const std::uint32_t i : in_cells_.at(r * columns_ + c)) {
         if (touches(boxes_[i]) && met.add(i)) f(i);
       }
     }
@@ -219,7 +229,7 @@ bool LegalArea::is_near_boundary(Vec2 p, double reach) const {
   if (edges_.empty() || !box_.overlaps(where)) return false;
   for (std::size_t r = row(where.min.y); r <= row(where.max.y); ++r) {
     for (std::size_t c = column(where.min.x); c <= column(where.max.x); ++c) {
-      for (const std::size_t i : cells_[r * columns_ + c]) {
+      for (const std::uint32_t i : in_cells_.at(r * columns_ + c)) {
         if (boxes_[i].overlaps(where) && distance(edges_[i], p) <= reach) return true;
       }
     }
@@ -236,7 +246,7 @@ bool LegalArea::surely_holds(const Box& where) const {
   for (std::size_t r = row(where.min.y); r <= row(where.max.y); ++r) {
     for (std::size_t c = column(where.min.x); c <= column(where.max.x); ++c) {
       const std::size_t cell = r * columns_ + c;
-      if (!cells_[cell].empty() || inside_[cell] != 1) return false;
+      if (inside_[cell] != 1) return false;
     }
   }
   return true;

@@ -1,10 +1,12 @@
 // Answers quickly and exactly whether a straight move stays in the legal area of the cutter's centre.
 #pragma once
 
+#include <cstdint>
 #include <memory_resource>
 #include <vector>
 
 #include "geometry/region.h"
+#include "geometry/spatial/cell_grid.h"
 
 namespace clearcut::inline geometry {
 
@@ -29,7 +31,10 @@ class LegalArea {
 
  private:
   Box densest_part() const;
+  void sort_edges();
   void mark_empty_cells();
+  void find_next_empty();
+  bool is_empty(std::size_t cell) const { return in_cells_.at(cell).empty(); }
   Box cell_box(std::size_t cell) const;
   int crossings(std::size_t edge, Vec2 p, double x) const;
   template <typename F>
@@ -46,13 +51,14 @@ class LegalArea {
   Box grid_;  ///< area covered by the cells; cells at its border also hold edges beyond the border
   std::vector<Edge> edges_;
   std::vector<Box> boxes_;
-  std::vector<std::size_t> first_columns_;  ///< per edge: first column of the cells holding the edge
   double cell_ = 1;
   double cells_per_mm_ = 1;
   std::size_t columns_ = 1;
   std::size_t rows_ = 1;
-  std::vector<std::vector<std::size_t>> cells_;
+  CellLists in_cells_;        ///< edges by cell
+  CellLists begin_in_;        ///< edges that a level line can cross, by the first of their cells in each row
   std::vector<char> inside_;  ///< per cell without edges: whether the cell is inside
+  std::vector<std::uint32_t> next_empty_;  ///< per cell: the next one without edges, or the row's end
 };
 
 }  // namespace clearcut::inline geometry

@@ -31,8 +31,10 @@ class CellLists {
     added_.clear();
   }
 
-  std::span<const std::uint32_t> at(std::size_t cell) const {
-    return {numbers_.data() + first_[cell], numbers_.data() + first_[cell + 1]};
+  std::span<const std::uint32_t> at(std::size_t cell) const { return in(cell, cell + 1); }
+  /// The numbers of the cells from `from` to before `end`, cell by cell.
+  std::span<const std::uint32_t> in(std::size_t from, std::size_t end) const {
+    return {numbers_.data() + first_[from], numbers_.data() + first_[end]};
   }
 
  private:

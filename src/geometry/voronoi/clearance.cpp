@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <mutex>
 
 #include "base/error.h"
+#include "base/work_budget.h"
 #include "geometry/contours/boolean.h"
 #include "geometry/voronoi/axis.h"
 #include "geometry/voronoi/level_curves.h"
@@ -186,7 +188,16 @@ struct Clearance::Impl {
     }
     const std::size_t unchanged = ascending.size() - levels.size();
     std::vector<std::vector<Loop>> loops(levels.size());
-    for (const auto& curve : voronoi::level_curves(diagram, levels, kMargin)) {
+    if (levels.empty()) return std::vector<Regions>(unchanged, Regions{region});
+    std::call_once(reaching_is_listed_, [&] {
+      listed_from_ = levels.front();
+      reaching_ = voronoi::edges_reaching(diagram, listed_from_, kMargin);
+    });
+    std::vector<int> nearer_the_wall;
+    if (levels.front() < listed_from_)
+      nearer_the_wall = voronoi::edges_reaching(diagram, levels.front(), kMargin);
+    const auto& reaching = levels.front() < listed_from_ ? nearer_the_wall : reaching_;
+    for (const auto& curve : voronoi::level_curves(diagram, reaching, levels, kMargin)) {
       const auto level = static_cast<std::size_t>(curve.level);
       auto loop = voronoi::offset_loop(diagram, curve, levels[level], kFine);
       if (loop) loops[level].push_back(std::move(*loop));
@@ -197,13 +208,93 @@ struct Clearance::Impl {
   }
 
  private:
-  mutable std::once_flag axis_is_made_, centers_are_found_;
+  mutable std::once_flag axis_is_made_, centers_are_found_, reaching_is_listed_;
   mutable voronoi::Axis axis_;
   mutable std::vector<AxisPoint> centers_;
+  /// Edges that curves reach at the distance that was asked for first, mostly the least: a list for all later ones.
+  mutable double listed_from_ = 0;
+  mutable std::vector<int> reaching_;
 };
 
+namespace {
+
+/// Greatest number of sites of all kept clearances, some 15 MB; the last one used is kept however large it is.
+constexpr std::size_t kMostKept = 15000;
+
+bool are_equal(const Tolerances& a, const Tolerances& b) {
+  return a.topology_chord == b.topology_chord && a.fit == b.fit;
+}
+
+bool are_equal(const Region& a, const Region& b) {
+  return a.outer() == b.outer() && a.islands() == b.islands();
+}
+
+}  // namespace
+
+/// The clearances kept at the moment, the last one used at the end.
+class Clearance::Store {
+ public:
+  static Store& all() {
+    static Store store;
+    return store;
+  }
+
+  void add_user() {
+    const std::lock_guard lock(mutex_);
+    ++users_;
+  }
+  void remove_user() {
+    const std::lock_guard lock(mutex_);
+    if (--users_ > 0) return;
+    kept_.clear();
+    sites_ = 0;
+  }
+
+  std::shared_ptr<const Impl> clearance_of(const Region& region, const Tolerances& tol) {
+    if (auto found = find(region, tol)) {
+      WorkBudget::spend(found->diagram.sites.segments.size());
+      return found;
+    }
+    auto made = std::make_shared<const Impl>(region, tol);
+    keep(made);
+    return made;
+  }
+
+ private:
+  std::shared_ptr<const Impl> find(const Region& region, const Tolerances& tol) {
+    const std::lock_guard lock(mutex_);
+    const auto found = std::find_if(kept_.rbegin(), kept_.rend(), [&](const auto& one) {
+      return are_equal(one->tol, tol) && are_equal(one->region, region);
+    });
+    if (found == kept_.rend()) return nullptr;
+    std::rotate(found.base() - 1, found.base(), kept_.end());
+    return kept_.back();
+  }
+
+  void keep(const std::shared_ptr<const Impl>& made) {
+    const std::lock_guard lock(mutex_);
+    const std::size_t sites = made->diagram.sites.segments.size();
+    if (users_ == 0) return;
+    kept_.push_back(made);
+    for (sites_ += sites; sites_ > kMostKept && kept_.size() > 1; kept_.pop_front())
+      sites_ -= kept_.front()->diagram.sites.segments.size();
+  }
+
+  std::mutex mutex_;
+  int users_ = 0;
+  std::size_t sites_ = 0;
+  std::deque<std::shared_ptr<const Impl>> kept_;
+};
+
+KeptClearances::KeptClearances() {
+  Clearance::Store::all().add_user();
+}
+KeptClearances::~KeptClearances() {
+  Clearance::Store::all().remove_user();
+}
+
 Clearance::Clearance(const Region& region, const Tolerances& tol)
-    : impl_(std::make_unique<Impl>(region, tol)) {}
+    : impl_(Store::all().clearance_of(region, tol)) {}
 Clearance::~Clearance() = default;
 Clearance::Clearance(Clearance&&) noexcept = default;
 Clearance& Clearance::operator=(Clearance&&) noexcept = default;

@@ -30,7 +30,8 @@ struct MedialAxis {
   std::vector<AxisEdge> edges;
 };
 
-/// Built once per region in O(n log n), n flattened edges; immutable; safe to read from several threads.
+/// Built in O(n log n), n flattened edges, or at once if it is kept for an equal region; immutable; safe to read from
+/// several threads.
 class Clearance {
  public:
   /// Throws InternalError only if `region` is not valid.
@@ -68,8 +69,21 @@ class Clearance {
   double max() const;
 
  private:
+  friend class KeptClearances;
   struct Impl;
-  std::unique_ptr<Impl> impl_;
+  class Store;
+  std::shared_ptr<const Impl> impl_;
+};
+
+/// While one of these exists, clearances are kept and shared by all that are made of an equal region with equal
+/// tolerances: the strategies of a plan begin with the same outlines. Those used longest ago are given up when all have too
+/// many edges.
+class KeptClearances {
+ public:
+  KeptClearances();
+  ~KeptClearances();
+  KeptClearances(const KeptClearances&) = delete;
+  KeptClearances& operator=(const KeptClearances&) = delete;
 };
 
 /// Convenience: inset of one region, or of each of several. Prefer Clearance for several levels.

@@ -376,6 +376,40 @@ TEST(Clearance, AThinIslandBesideAnArcStays) {
   }
 }
 
+void expect_same(const Regions& a, const Regions& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].outer(), b[i].outer());
+    EXPECT_EQ(a[i].islands(), b[i].islands());
+  }
+}
+
+TEST(Clearance, LevelsAreTheSameInWhateverOrderTheyAreAskedFor) {
+  const Region part =
+      region(filleted(60, 40, 6), {reversed(circle({20, 20}, 5)), reversed(circle({40, 20}, 4))});
+  const Clearance clearance(part, kTol);
+  for (const double d : {5.0, 0.5, 3.0, 7.0, 6.9, 0.01, 5.0, 12.0})
+    expect_same(clearance.inset(d), inset(part, d, kTol));
+  const auto several = clearance.insets({0.0, 0.5, 4.0, 7.0});
+  for (std::size_t i = 0; i < several.size(); ++i)
+    expect_same(several[i], inset(part, std::vector{0.0, 0.5, 4.0, 7.0}[i], kTol));
+}
+
+TEST(Clearance, KeptOnesAnswerAsThoseMadeForThemselves) {
+  const Region one = region(filleted(60, 40, 6), {reversed(circle({20, 20}, 5))});
+  const Region other = region(filleted(60, 40, 6), {reversed(circle({20, 20}, 5.001))});
+  Tolerances wide = kTol;
+  wide.fit = 0.05;
+  const Regions of_one = inset(one, 3, kTol), of_other = inset(other, 3, kTol);
+  const auto lines = Clearance(other, wide).fit_lines(10, 0);
+  const KeptClearances kept;
+  for (int round = 0; round < 2; ++round) {
+    expect_same(inset(one, 3, kTol), of_one);
+    expect_same(inset(other, 3, kTol), of_other);
+    EXPECT_EQ(Clearance(other, wide).fit_lines(10, 0), lines);
+  }
+}
+
 TEST(Dilate, GrowsWhatABooleanLeavesWithATipThatCrossesItself) {
   const std::vector<BulgeVertex> corners{{{4.3962000099372318, 0.017965846110231165}, 0.18914423630644867},
                                          {{4.6200732391528598, 0.30652816036290703}, 0},

@@ -17,6 +17,13 @@ constexpr double kSteepest = 14.3;
 constexpr double kSmooth = 1e-3;
 /// mm. Rounding of clearances.
 constexpr double kRounding = 1e-7;
+/// Halvings of an edge for the place of a level, those that a guess spares, and the intervals that they lead to.
+constexpr int kHalvings = 40;
+constexpr int kSpared = 32;
+constexpr double kIntervals = 1LL << kSpared;
+/// Steps of guessing at most; mm, the error of the clearance at which they end.
+constexpr int kGuesses = 8;
+constexpr double kGuessed = 1e-11;
 /// mm. If all places where the cutter fits are within this distance of one place, that place becomes a point: moving
 /// there would clear only half of the thickness that may be left.
 constexpr double kPoint = 0.005;
@@ -79,17 +86,50 @@ class Band {
   }
 
   /// Adds the place on an edge rising from a to b at which the clearance is `level`, by bisection on the curved
-  /// bisector.
+  /// bisector. A few steps of the method of false position find the interval in which most of the halvings end.
   int cut(const AxisEdge& e, Walls walls, double level, bool into_region) {
     const Element &a = d_.element(walls.a), &b = d_.element(walls.b);
     const auto place = [&](double t) { return on_bisector(a, b, point(e.a).point, point(e.b).point, t); };
+    const auto rise = [&](double t) { return distance(a, place(t)) - level; };
     double below = 0, above = 1;
-    for (int step = 0; step < 40; ++step) {
+    int halvings = kHalvings;
+    const double guess = false_position(rise, point(e.a).clearance - level, point(e.b).clearance - level);
+    const double first = std::floor(guess * kIntervals) / kIntervals, last = first + 1 / kIntervals;
+    if (first > 0 && last < 1 && rise(first) < 0 && rise(last) >= 0) {
+      below = first;
+      above = last;
+      halvings -= kSpared;
+    }
+    for (int step = 0; step < halvings; ++step) {
       const double middle = (below + above) / 2;
-      (distance(a, place(middle)) < level ? below : above) = middle;
+      (rise(middle) < 0 ? below : above) = middle;
     }
     places_.push_back({place(below), level, into_region, {}});
     return static_cast<int>(places_.size()) - 1;
+  }
+
+  /// A place in [0, 1] at which a function that rises from `low` < 0 to `high` >= 0 is about zero (the Illinois method).
+  template <typename Rise>
+  static double false_position(const Rise& rise, double low, double high) {
+    double below = 0, above = 1, at = 0.5;
+    int side = 0;  // on which the last guess was: the other end counts half if it stays twice
+    for (int step = 0; step < kGuesses; ++step) {
+      at = high > low ? below - low * (above - below) / (high - low) : (below + above) / 2;
+      const double value = rise(at);
+      if (std::abs(value) < kGuessed) break;
+      if (value < 0) {
+        below = at;
+        low = value;
+        if (side < 0) high /= 2;
+        side = -1;
+      } else {
+        above = at;
+        high = value;
+        if (side > 0) low /= 2;
+        side = 1;
+      }
+    }
+    return at;
   }
 
   int start(std::size_t part, bool forward) const { return forward ? parts_[part].a : parts_[part].b; }

@@ -16,14 +16,14 @@ namespace {
 
 class Tracer {
  public:
-  Tracer(const Diagram& diagram, const std::vector<double>& levels, double margin)
-      : diagram_(diagram), levels_(levels), margin_(margin) {}
+  Tracer(const Diagram& diagram, const std::vector<int>& reaching, const std::vector<double>& levels,
+         double margin)
+      : diagram_(diagram), reaching_(reaching), levels_(levels), margin_(margin) {}
 
   std::vector<LevelCurve> run() {
-    count_levels();
     number_cuts();
-    for (std::size_t cell = 0; cell < diagram_.cell_start.size(); ++cell) {
-      if (is_cut_[cell] != 0 && diagram_.cell_start[cell] >= 0) join_in_cell(static_cast<int>(cell));
+    for (const int cell : cut_cells_) {
+      if (diagram_.cell_start[index(cell)] >= 0) join_in_cell(cell);
     }
     return trace();
   }
@@ -36,21 +36,17 @@ class Tracer {
     int cell = -1;       ///< cell of that piece
   };
 
-  int depth(int node) const { return node < 0 ? 0 : depth_[index(node)]; }
-
-  void count_levels() {
-    depth_.resize(diagram_.nodes.size());
-    for (std::size_t i = 0; i < depth_.size(); ++i) {
-      const auto deeper =
-          std::upper_bound(levels_.begin(), levels_.end(), diagram_.nodes[i].clearance - margin_);
-      depth_[i] = diagram_.inside[i] != 0 ? static_cast<int>(deeper - levels_.begin()) : 0;
-    }
+  /// Number of levels that a node belongs to.
+  int depth(int node) const {
+    if (node < 0 || diagram_.inside[index(node)] == 0) return 0;
+    const double clearance = diagram_.nodes[index(node)].clearance - margin_;
+    return static_cast<int>(std::upper_bound(levels_.begin(), levels_.end(), clearance) - levels_.begin());
   }
 
   void number_cuts() {
     first_cut_.resize(index(diagram_.edge_count()));
     is_cut_.assign(diagram_.cell_start.size(), 0);
-    for (int k = 0; k < diagram_.edge_count(); ++k) {
+    for (const int k : reaching_) {
       first_cut_[index(k)] = static_cast<int>(cuts_.size());
       const int v = diagram_.origin[index(2 * k)], w = diagram_.origin[index(2 * k + 1)];
       const int middle = diagram_.critical[index(k)];
@@ -61,7 +57,10 @@ class Tracer {
         add_cuts(middle, w);
       }
       if (static_cast<int>(cuts_.size()) == first_cut_[index(k)]) continue;
-      is_cut_[index(diagram_.cell[index(2 * k)])] = is_cut_[index(diagram_.cell[index(2 * k + 1)])] = 1;
+      for (const int cell : {diagram_.cell[index(2 * k)], diagram_.cell[index(2 * k + 1)]}) {
+        if (is_cut_[index(cell)] == 0) cut_cells_.push_back(cell);
+        is_cut_[index(cell)] = 1;
+      }
     }
   }
 
@@ -166,18 +165,33 @@ class Tracer {
   }
 
   const Diagram& diagram_;
+  const std::vector<int>& reaching_;
   const std::vector<double>& levels_;
   double margin_;
-  std::vector<int> depth_, first_cut_, open_, unmatched_;
+  std::vector<int> first_cut_, open_, unmatched_, cut_cells_;
   std::vector<char> is_cut_;  ///< per cell: whether a level crosses one of its edges
   std::vector<Cut> cuts_;
 };
 
 }  // namespace
 
-std::vector<LevelCurve> level_curves(const Diagram& diagram, const std::vector<double>& levels,
-                                     double margin) {
-  return Tracer(diagram, levels, margin).run();
+std::vector<int> edges_reaching(const Diagram& diagram, double level, double margin) {
+  const auto reaches = [&](int node) {
+    return node >= 0 && diagram.inside[index(node)] != 0 &&
+           level <= diagram.nodes[index(node)].clearance - margin;
+  };
+  std::vector<int> edges;
+  for (int k = 0; k < diagram.edge_count(); ++k) {
+    if (reaches(diagram.origin[index(2 * k)]) || reaches(diagram.origin[index(2 * k + 1)]) ||
+        reaches(diagram.critical[index(k)]))
+      edges.push_back(k);
+  }
+  return edges;
+}
+
+std::vector<LevelCurve> level_curves(const Diagram& diagram, const std::vector<int>& reaching,
+                                     const std::vector<double>& levels, double margin) {
+  return Tracer(diagram, reaching, levels, margin).run();
 }
 
 namespace {

@@ -29,11 +29,15 @@ struct LevelCurve {
   std::vector<Piece> pieces;
 };
 
+/// The numbers of all edges that a curve at `level` mm, or farther inside, may cut, ascending. `margin` as below.
+/// O(edges): one list serves all deeper levels, which few edges reach where an outline has many vertices.
+std::vector<int> edges_reaching(const Diagram& diagram, double level, double margin);
+
 /// Curves at the ascending distances `levels` (mm, > 0), ordered by level. A node belongs to a level if its clearance
 /// exceeds the level by `margin`: the same for all, so that widths of twice a level within rounding give no curve.
-/// O(edges + pieces).
-std::vector<LevelCurve> level_curves(const Diagram& diagram, const std::vector<double>& levels,
-                                     double margin);
+/// `reaching`: edges_reaching of the first level or of one before it. O(reaching + pieces).
+std::vector<LevelCurve> level_curves(const Diagram& diagram, const std::vector<int>& reaching,
+                                     const std::vector<double>& levels, double margin);
 
 /// Loop at distance d from the elements: lines stay parallel, arcs concentric, corners become arcs; joints
 /// are the intersections of neighbouring offset curves. `slack` (mm) is the greatest distance of the diagram from the

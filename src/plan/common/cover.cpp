@@ -82,10 +82,22 @@ Cover::Cover(std::span<const Edge> edges, double radius, SearchPlaces places)
   Box box;
   for (const auto& edge : edges_) box.add(edge.box());
   if (box.empty()) return;
-  box = box.grown(2 * radius);
-  const double most_cells = 4.0 * static_cast<double>(edges_.size()) + 64;
-  grid_ = CellGrid(box, std::max(radius / 2, std::sqrt(box.width() * box.height() / most_cells)));
+  grid_ = grid_over(box.grown(2 * radius), radius, edges_.size());
   sort_edges();
+}
+
+Cover::Cover(std::span<const Edge> edges, double radius, const Box& where)
+    : edges_(edges.begin(), edges.end()),
+      radius_(radius),
+      places_(SearchPlaces::kAroundRims),
+      grid_(grid_over(where, radius, edges.size())),
+      is_clipped_(true) {
+  sort_edges();
+}
+
+CellGrid Cover::grid_over(const Box& box, double radius, std::size_t edges) {
+  const double most_cells = 4.0 * static_cast<double>(edges) + 64;
+  return {box, std::max(radius / 2, std::sqrt(box.width() * box.height() / most_cells))};
 }
 
 Cover::Cover(std::span<const Edge> edges, std::shared_ptr<const Cover> base)
@@ -208,6 +220,7 @@ class Cover::Search {
   /// Whether p belongs to `square`. A point on a common side belongs to only one of the two squares.
   bool holds(const Square& square, Vec2 p) const {
     const CellGrid& grid = cover_.grid_;
+    if (cover_.is_clipped_ && !grid.box.contains(p)) return false;
     constexpr double kParts = 1 << kMostQuarterings;
     const auto number = [&](double v, std::size_t cells) {
       const double parts = v / grid.cell * kParts;

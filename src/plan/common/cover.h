@@ -25,6 +25,8 @@ class Cover {
     kAtRims       ///< only at vertices of rims: much cheaper for crowded edges
   };
   Cover(std::span<const Edge> edges, double radius, SearchPlaces places = SearchPlaces::kAroundRims);
+  /// A cover for questions inside `where` alone, with cells only there.
+  Cover(std::span<const Edge> edges, double radius, const Box& where);
   /// The cover of `edges` and of all edges of `base`, with the radius of `base`. `edges` count only inside the box of
   /// `base`.
   Cover(std::span<const Edge> edges, std::shared_ptr<const Cover> base);
@@ -98,6 +100,7 @@ class Cover {
   /// Points tested beside the ends of each edge: left and right of both.
   static constexpr std::uint32_t kJoints = 4;
 
+  static CellGrid grid_over(const Box& box, double radius, std::size_t edges);
   void sort_edges();
   Rims rims() const;
   void add_sides(std::uint32_t edge, Vec2 across, Rims& rims) const;
@@ -111,6 +114,7 @@ class Cover {
   double radius_;
   SearchPlaces places_;
   CellGrid grid_;
+  bool is_clipped_ = false;  ///< whether edges pass beyond the cells
   CellLists edges_in_;       ///< per cell: the edges that may clear one of its points
   std::vector<char> whole_;  ///< per cell: whether one edge clears the whole cell
   // Only of covers used as a base: their curves, and their uncleared places (keep_rim).

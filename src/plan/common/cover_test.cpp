@@ -170,5 +170,22 @@ TEST(Cover, FindsAllVerticesOfTheBorder) {
   EXPECT_GT(vertices, 30000U);
 }
 
+TEST(Cover, WithCellsInABoxAloneFindsTheHolesThatLieThere) {
+  int holes = 0, none = 0;
+  for (int seed = 1; seed <= 1000; ++seed) {
+    Random random(static_cast<std::uint64_t>(seed));
+    const auto edges = random_paths(random, kKinds[seed % 4], 3 + seed % 11);
+    const double radius = random.between(0.05, 1.5);
+    const Vec2 corner{random.between(-2, 12), random.between(-2, 12)};
+    const Box where{corner, corner + Vec2{random.between(0.1, 4), random.between(0.1, 4)}};
+    const auto inside = [&](Vec2 p) { return where.contains(p); };
+    const bool has_hole = Cover(edges, radius).has_hole(where, inside);
+    EXPECT_EQ(Cover(edges, radius, where).has_hole(where, inside), has_hole) << seed;
+    ++(has_hole ? holes : none);
+  }
+  EXPECT_GT(holes, 100);
+  EXPECT_GT(none, 100);
+}
+
 }  // namespace
 }  // namespace clearcut::plan

@@ -181,7 +181,8 @@ class Rounder {
     const auto was_cut = [&](Vec2 q) {
       return distance(first, q) <= job_.proven || distance(second, q) <= job_.proven;
     };
-    return !Cover(edges, job_.proven).has_hole(both.grown(job_.proven), was_cut);
+    const Box where = both.grown(job_.proven);
+    return !Cover(edges, job_.proven, where).has_hole(where, was_cut);
   }
 
   /// Whether `edges` clear the rim, on the outer side, of the area cleared by the corner's two pieces, and all places
@@ -201,8 +202,13 @@ class Rounder {
   }
 
   /// A place at some depth inside the area cleared by an edge proves the rim over this length on both sides.
-  bool all_cleared(const Edge& rim, const std::vector<Edge>& edges, double deep) const {
+  bool all_cleared(const Edge& rim, const std::vector<Edge>& all, double deep) const {
     const double length = rim.length();
+    std::vector<Edge> edges;
+    const Box reach = rim.box().grown(job_.proven + kAtRim);
+    for (const Edge& edge : all)
+      if (reach.overlaps(edge.box())) edges.push_back(edge);
+    if (edges.empty()) return false;
     std::size_t last = 0;  // neighbouring places are mostly cleared by the same edge
     for (double s = 0; s <= length;) {
       const Vec2 place = rim.at(length > 0 ? s / length : 0);

@@ -32,8 +32,17 @@ constexpr double kDamping = 0.02;
 /// Stiffness of the witnesses in the last step, 1 / radius.
 constexpr double kStiffest = 2e4;
 
+/// Far above the rounding of a squared distance, as a share of it.
+constexpr double kRounding = 1e-12;
+
 /// mm. Boxes of arcs are greater by this, far above their rounding.
 constexpr double kBoxRounding = 1e-9;
+
+/// mm^2; from p to the nearest point of a box.
+double squared_distance(const Box& box, Vec2 p) {
+  return norm_squared(
+      {std::max({box.min.x - p.x, 0.0, p.x - box.max.x}), std::max({box.min.y - p.y, 0.0, p.y - box.max.y})});
+}
 
 }  // namespace
 
@@ -77,12 +86,14 @@ struct BandMinimiser::Impl {
     std::uint32_t witness = 0;
     std::uint32_t first = 0;
     std::uint32_t end = 0;
+    std::uint32_t nearest = 0;  ///< the nearest band at the listing
   };
 
   Impl(Bands& paths, const TightenJob& job) : paths_(paths), job_(job), grid_(job.where, job.radius) {
     for (std::uint32_t i = 0; i < paths_.fixed.size(); ++i) {
-      grid_.for_cells(paths_.fixed[i].box().grown(1.5 * job_.radius),
-                      [&](std::size_t cell, Vec2) { fixed_in_.add(cell, i); });
+      const Box box = paths_.fixed[i].box();
+      boxes_of_fixed_.push_back(box.grown(kBoxRounding));
+      grid_.for_cells(box.grown(1.5 * job_.radius), [&](std::size_t cell, Vec2) { fixed_in_.add(cell, i); });
     }
     fixed_in_.build(grid_.count());
     rings_.reserve(paths_.skeleton.rings.size());
@@ -193,6 +204,7 @@ struct BandMinimiser::Impl {
 
   void add_hold(const Active& active) {
     Witness& witness = paths_.witnesses[active.witness];
+    if (surely_within(active.nearest, witness.p, limit_ - skin_)) return;
     const Hold hold = nearest_hold(active, witness.p);
     if (hold.distance < limit_ - skin_) return;
     if (!witness.moving) return hold_band(hold, 1.0);
@@ -235,6 +247,12 @@ struct BandMinimiser::Impl {
     const Vec2 s = p - band.a;
     t = std::clamp(dot(s, band.d) * band.inverse, 0.0, 1.0);
     return s - band.d * t;
+  }
+
+  /// Whether a band is nearer to p than `reach`, whatever the rounding. Mostly spares the search for the nearest band.
+  bool surely_within(std::uint32_t band, Vec2 p, double reach) const {
+    double t = 0;
+    return reach > 0 && norm_squared(offset_from_band(band, p, t)) < (1 - kRounding) * reach * reach;
   }
 
   static void finish(Hold& hold, Vec2 offset) {
@@ -283,6 +301,7 @@ struct BandMinimiser::Impl {
       best.t = offset.t;
     }
     for (const std::uint32_t i : fixed_in_.at(grid_.cell_of(p))) {
+      if (squared_distance(boxes_of_fixed_[i], p) >= best_squared) continue;
       const Vec2 offset = p - nearest_point(paths_.fixed[i], p);
       const double squared = norm_squared(offset);
       if (squared <= 0 || !opposite(offset, squared)) continue;
@@ -382,11 +401,14 @@ struct BandMinimiser::Impl {
       const Vec2 p = witness.p;
       const auto first = static_cast<std::uint32_t>(candidates_.size());
       double nearest_squared = far * far, t = 0;
+      std::uint32_t nearest = 0;
       for (const std::uint32_t band : bands_in_.at(grid_.cell_of(p))) {
         const double squared = norm_squared(offset_from_band(band, p, t));
         if (squared > far * far) continue;
         candidates_.push_back(band);
-        nearest_squared = std::min(nearest_squared, squared);
+        if (squared > nearest_squared) continue;
+        nearest_squared = squared;
+        nearest = band;
       }
       witness.near = std::sqrt(nearest_squared);
       witness.when = paths_.moved;
@@ -394,8 +416,11 @@ struct BandMinimiser::Impl {
         candidates_.resize(first);
         continue;
       }
-      if (candidates_.size() == first) candidates_.push_back(nearest_band(p));
-      active_.push_back({w, first, static_cast<std::uint32_t>(candidates_.size())});
+      if (candidates_.size() == first) {
+        nearest = nearest_band(p);
+        candidates_.push_back(nearest);
+      }
+      active_.push_back({w, first, static_cast<std::uint32_t>(candidates_.size()), nearest});
     }
     moved_since_listing_ = 0;
   }
@@ -447,6 +472,7 @@ struct BandMinimiser::Impl {
   double moved_since_listing_ = 0;
   CellGrid grid_;
   CellLists bands_in_, fixed_in_;
+  std::vector<Box> boxes_of_fixed_;
   std::vector<RingIndex> rings_;  ///< by the skeleton's numbers of rings
   /// Bands at their places during the last listing; built for the first query by a witness far from all bands.
   BoxTree tree_;

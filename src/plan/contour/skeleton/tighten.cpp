@@ -1,6 +1,7 @@
 #include "plan/contour/skeleton/tighten.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -203,13 +204,20 @@ struct Tightener::Impl {
     return middle;
   }
 
+  static std::array<Vec2, 8> directions_round() {
+    std::array<Vec2, 8> directions;
+    for (int k = 0; k < 8; ++k) directions[static_cast<std::size_t>(k)] = direction_of(k * kPi / 4);
+    return directions;
+  }
+
   /// Moves from p, by shorter and shorter steps, to the place farthest from all bands.
   Vec2 deepest_near(Vec2 p, const Cover& now) const {
+    static const std::array<Vec2, 8> directions = directions_round();
     double depth = now.distance_to(p);
     for (double step = 0.05 * job_.radius; step > 1e-3 * job_.radius;) {
       Vec2 best = p;
-      for (int k = 0; k < 8; ++k) {
-        const Vec2 q = p + direction_of(k * kPi / 4) * step;
+      for (const Vec2 direction : directions) {
+        const Vec2 q = p + direction * step;
         const double d = now.distance_to(q);
         if (d > depth && d < 2 * job_.radius && job_.matters(q)) {
           depth = d;
@@ -379,7 +387,8 @@ class Polish {
     const auto was_cut = [&](Vec2 q) {
       return (distance(first, q) <= radius_ || distance(second, q) <= radius_) && job_.matters(q);
     };
-    return !Cover(edges, radius_).has_hole(both.grown(radius_), was_cut);
+    const Box where = both.grown(radius_);
+    return !Cover(edges, radius_, where).has_hole(where, was_cut);
   }
 
   /// Whether the place cleared by the vertex between two edges that is farthest from the replacing line is left by
