@@ -1060,12 +1060,12 @@ class RimFinder {
   int work_ = 0;
 };
 
-void put_number(Text& out, std::uint64_t value) {
+/// Counts of any width, which differs between machines, and the checker's integers.
+template <typename Number>
+void put_number(Text& out, Number number) {
+  auto value = static_cast<std::uint64_t>(number);
   for (; value >= 128; value >>= 7) out += static_cast<char>(value | 128);
   out += static_cast<char>(value);
-}
-void put_number(Text& out, ccw::Int value) {
-  put_number(out, static_cast<std::uint64_t>(value));
 }
 void put_signed(Text& out, ccw::Int value) {
   put_number(out, value < 0 ? static_cast<std::uint64_t>(-(value + 1)) * 2 + 1
