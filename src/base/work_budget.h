@@ -24,6 +24,9 @@ class WorkBudget {
   /// Tasks run on any free thread have their own bounds and are not counted.
   static WorkBudget unlimited() { return WorkBudget(UINT64_MAX); }
 
+  /// Steps that are left of this budget.
+  std::uint64_t left() const { return left_; }
+
   /// Throws OutOfWork when no steps are left. One step: some microseconds, or some hundred bytes.
   static void spend(std::uint64_t steps) {
     if (current_ == nullptr) return;

@@ -66,8 +66,7 @@ TEST(OutOfReach, IsAHoleUnderAPocketDeeperThanItsDrill) {
   const CheckResult checked = check_program(part, result.program, "x", options);
   for (const Findings* findings : {&result.findings, &checked.findings}) {
     EXPECT_EQ(verdict_of(*findings), Verdict::kConditional) << faults_of(*findings);
-    std::string said;
-    for (const Condition& one : findings->conditions) said += one.text + "\n";
+    const std::string said = texts_of(*findings);
     EXPECT_THAT(said, HasSubstr("DRILL_D20: its floor lies"));
   }
   std::string half = result.program;
@@ -85,8 +84,7 @@ TEST(OutOfReach, IsARestBeyondTheFlutesOfItsMill) {
   const CheckResult checked = check_program(part, result.program, "x", options);
   for (const Findings* findings : {&result.findings, &checked.findings}) {
     EXPECT_EQ(verdict_of(*findings), Verdict::kConditional) << faults_of(*findings);
-    std::string said;
-    for (const Condition& one : findings->conditions) said += one.text + "\n";
+    const std::string said = texts_of(*findings);
     EXPECT_THAT(said,
                 HasSubstr("T2 does not mill what the wider tools leave: it is 40 mm deep, 13 diameters"));
     EXPECT_THAT(said, ::testing::Not(HasSubstr("with --rest T2")));
@@ -102,8 +100,7 @@ TEST(OutOfReach, IsTheChamferOfAPocketThatIsNotMade) {
   const CheckResult checked = check_program(part, result.program, "x", options);
   for (const Findings* findings : {&result.findings, &checked.findings}) {
     EXPECT_EQ(verdict_of(*findings), Verdict::kConditional) << faults_of(*findings);
-    std::string said;
-    for (const Condition& one : findings->conditions) said += one.text + "\n";
+    const std::string said = texts_of(*findings);
     EXPECT_THAT(said,
                 HasSubstr("CHAMFER_D0.4: it has no edge to break, as nothing reaches into POCKET_D2_2"));
   }

@@ -68,6 +68,13 @@ inline std::string faults_of(const Findings& findings) {
   return text;
 }
 
+/// All conditions, met or open.
+inline std::string texts_of(const Findings& findings) {
+  std::string text;
+  for (const Condition& one : findings.conditions) text += one.name + ": " + one.text + "\n";
+  return text;
+}
+
 inline bool has(const Findings& findings, FaultKind kind) {
   return std::any_of(findings.faults.begin(), findings.faults.end(),
                      [&](const Fault& fault) { return fault.kind == kind; });

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <deque>
 #include <mutex>
 
@@ -250,40 +251,53 @@ class Clearance::Store {
     sites_ = 0;
   }
 
+  /// A task is charged the same whether the clearance is kept or made for it: what it may still do must not depend on the other tasks.
   std::shared_ptr<const Impl> clearance_of(const Region& region, const Tolerances& tol) {
-    if (auto found = find(region, tol)) {
-      WorkBudget::spend(found->diagram.sites.segments.size());
-      return found;
+    Kept found = find(region, tol);
+    if (!found.impl) {
+      found = made(region, tol);
+      keep(found);
     }
-    auto made = std::make_shared<const Impl>(region, tol);
-    keep(made);
-    return made;
+    WorkBudget::spend(found.steps);
+    return found.impl;
   }
 
  private:
-  std::shared_ptr<const Impl> find(const Region& region, const Tolerances& tol) {
+  struct Kept {
+    std::shared_ptr<const Impl> impl;
+    std::uint64_t steps = 0;  ///< of work that making it took
+    std::size_t sites() const { return impl->diagram.sites.segments.size(); }
+  };
+
+  static Kept made(const Region& region, const Tolerances& tol) {
+    const WorkBudget counted = WorkBudget::unlimited();
+    const std::uint64_t before = counted.left();
+    auto impl = std::make_shared<const Impl>(region, tol);
+    return {std::move(impl), before - counted.left()};
+  }
+
+  Kept find(const Region& region, const Tolerances& tol) {
     const std::lock_guard lock(mutex_);
     const auto found = std::find_if(kept_.rbegin(), kept_.rend(), [&](const auto& one) {
-      return are_equal(one->tol, tol) && are_equal(one->region, region);
+      return are_equal(one.impl->tol, tol) && are_equal(one.impl->region, region);
     });
-    if (found == kept_.rend()) return nullptr;
+    if (found == kept_.rend()) return {};
     std::rotate(found.base() - 1, found.base(), kept_.end());
     return kept_.back();
   }
 
-  void keep(const std::shared_ptr<const Impl>& made) {
+  void keep(const Kept& made) {
     const std::lock_guard lock(mutex_);
-    const std::size_t sites = made->diagram.sites.segments.size();
     if (users_ == 0) return;
     kept_.push_back(made);
-    for (sites_ += sites; sites_ > kMostKept && kept_.size() > 1; kept_.pop_front())
-      sites_ -= kept_.front()->diagram.sites.segments.size();
+    for (sites_ += made.sites(); sites_ > kMostKept && kept_.size() > 1; kept_.pop_front())
+      sites_ -= kept_.front().sites();
   }
 
   std::mutex mutex_;
   int users_ = 0;
   std::size_t sites_ = 0;
-  std::deque<std::shared_ptr<const Impl>> kept_;
+  std::deque<Kept> kept_;
 };
 
 KeptClearances::KeptClearances() {

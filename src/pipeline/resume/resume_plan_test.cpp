@@ -383,13 +383,6 @@ std::string kinds_of(const Findings& findings) {
   return fmt::format("{}", fmt::join(kinds, "; "));
 }
 
-/// All, for messages.
-std::string texts_of(const Findings& findings) {
-  std::string text;
-  for (const Condition& one : findings.conditions) text += one.name + ": " + one.text + "\n";
-  return text;
-}
-
 struct Counted {
   int served = 0, refused = 0;
 };

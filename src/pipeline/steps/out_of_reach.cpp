@@ -423,7 +423,10 @@ std::optional<std::string> why_unmade(const Part& part, const FeatureFindings& f
 void add_hole(std::vector<UnmadeHoles>& unmade, const Feature& hole, const std::string& why) {
   const auto same =
       std::find_if(unmade.begin(), unmade.end(), [&](const UnmadeHoles& other) { return other.why == why; });
-  same == unmade.end() ? unmade.push_back({hole.name, why, 1}) : void(++same->count);
+  if (same == unmade.end())
+    unmade.push_back({hole.name, why, 1});
+  else
+    ++same->count;
 }
 
 Condition condition_of(const UnmadeHoles& unmade) {

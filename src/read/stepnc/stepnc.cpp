@@ -14,6 +14,7 @@
 #include "features/derived_outlines.h"
 #include "features/standing.h"
 #include "geometry/contours/boolean.h"
+#include "model/entry.h"
 #include "model/results/findings.h"
 #include "model/results/nothing_to_machine.h"
 #include "read/stepnc/materials.h"
@@ -400,20 +401,6 @@ void Reader::tell_what_is_read() {
 
 namespace {
 
-const char* word_of(EntryKind entry) {
-  switch (entry) {
-    case EntryKind::kHelix:
-      return "helix";
-    case EntryKind::kRamp:
-      return "ramp";
-    case EntryKind::kZigzagRamp:
-      return "zigzag";
-    case EntryKind::kPlunge:
-      break;
-  }
-  return "plunge";
-}
-
 /// " 2 mm 3.4 deg" of a way into or out of the material.
 std::string shown_way(const std::optional<double>& size, const std::optional<Radians>& angle) {
   std::string text;
@@ -434,7 +421,7 @@ void Reader::tell_of_entries() {
   for (const Workingstep& step : part_.workplan) {
     const Operation& operation = step.operation;
     if (operation.entry)
-      add(word_of(*operation.entry) + shown_way(operation.entry_size, operation.entry_angle), operation);
+      add(name_of(*operation.entry) + shown_way(operation.entry_size, operation.entry_angle), operation);
     if (operation.lead || operation.lead_angle)
       add("lead" + shown_way(operation.lead, operation.lead_angle), operation);
   }

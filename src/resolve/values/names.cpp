@@ -70,20 +70,6 @@ EntryKind entry_named(const std::string& name, const std::string& place) {
                name, place);
 }
 
-const char* name_of(EntryKind entry) {
-  switch (entry) {
-    case EntryKind::kHelix:
-      return "helix";
-    case EntryKind::kRamp:
-      return "ramp";
-    case EntryKind::kZigzagRamp:
-      return "zigzag";
-    case EntryKind::kPlunge:
-      break;
-  }
-  return "plunge";
-}
-
 Coolant coolant_named(const std::string& name, const std::string& place) {
   return named(std::array{Coolant::kOff, Coolant::kFlood, Coolant::kMist, Coolant::kBoth}, name, place);
 }

@@ -22,7 +22,6 @@ std::string strategy_of_stepnc(const std::string& name);
 
 /// "helix", "ramp", "zigzag", "plunge". Throws InputError at `place`.
 EntryKind entry_named(const std::string& name, const std::string& place);
-const char* name_of(EntryKind entry);
 
 /// "climb", "conventional". Throws InputError at `place`.
 CutDirection direction_named(const std::string& name, const std::string& place);

@@ -1,6 +1,7 @@
 #include <filesystem>
 
 #include "base/text.h"
+#include "model/entry.h"
 #include "resolve/values/names.h"
 
 namespace clearcut::resolve {

@@ -95,15 +95,8 @@ class Follower {
       if (!block_.has_words()) continue;
       const StopBlock stop = now();
       needs_.push_back(need_of(stop));
-      scan.blocks.push_back(stop);
-      if (block_.line >= line && !scan.held) {
-        scan.held = held();
-        scan.held_line = block_.line;
-      }
-      if (block_.line >= line && stop.moves && !scan.moving) {
-        scan.moving = held();
-        scan.moving_line = block_.line;
-      }
+      add_stop(
+          stop, line, [this] { return held(); }, scan);
       execute();
     }
   }

@@ -89,6 +89,21 @@ struct StopScan {
   int macro_line = 0;  ///< where the program begins to compute or call; 0: nowhere
 };
 
+/// Adds a block before it is executed, and what `held` says the control holds, if it is the first at or behind `line`.
+template <typename Held>
+void add_stop(const StopBlock& stop, int line, const Held& held, StopScan& scan) {
+  scan.blocks.push_back(stop);
+  if (stop.line < line) return;
+  if (!scan.held) {
+    scan.held = held();
+    scan.held_line = stop.line;
+  }
+  if (stop.moves && !scan.moving) {
+    scan.moving = held();
+    scan.moving_line = stop.line;
+  }
+}
+
 /// What a place without a motion word of its own needs from the lines above it.
 enum class MotionNeed : unsigned char { kNothing, kPasses, kCycle, kArcs, kStraight };
 /// For each block of `scan` what it needs. The first place behind a block decides whether the program can be begun anew at it: sets the

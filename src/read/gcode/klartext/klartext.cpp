@@ -1164,19 +1164,13 @@ StopScan Reader::scan(std::string_view text, int line) {
   StopScan scan;
   for (Words words; next(words);) {
     const StopBlock stop = stop_at(words.words);
-    scan.blocks.push_back(stop);
-    if (computes_or_calls(words.words)) {
-      scan.macro_line = line_;
-      if (line_ < line || scan.held) break;
+    if (computes_or_calls(words.words)) scan.macro_line = line_;
+    if (scan.macro_line > 0 && (line_ < line || scan.held)) {
+      scan.blocks.push_back(stop);
+      break;
     }
-    if (line_ >= line && !scan.held) {
-      scan.held = held();
-      scan.held_line = line_;
-    }
-    if (line_ >= line && stop.moves && !scan.moving) {
-      scan.moving = held();
-      scan.moving_line = line_;
-    }
+    add_stop(
+        stop, line, [this] { return held(); }, scan);
     if (scan.macro_line > 0) break;
     const Coolant before = builder_.drive.coolant;
     execute(words);

@@ -193,15 +193,8 @@ class SinumerikReader {
   void scan_block(const SinumerikBlock& block, int line, std::vector<MotionNeed>& needs, StopScan& scan) {
     const StopBlock stop = stop_at(block);
     needs.push_back(need_of(block, stop));
-    scan.blocks.push_back(stop);
-    if (stop.line >= line && !scan.held) {
-      scan.held = held();
-      scan.held_line = stop.line;
-    }
-    if (stop.line >= line && stop.moves && !scan.moving) {
-      scan.moving = held();
-      scan.moving_line = stop.line;
-    }
+    add_stop(
+        stop, line, [this] { return held(); }, scan);
     const Coolant before = control_.modes.coolant;
     execute(block);
     keep_sinumerik_words(block, held_words_);
