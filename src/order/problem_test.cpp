@@ -8,6 +8,7 @@
 #include "order/lattice.h"
 #include "order/length/neighbours.h"
 #include "order/moves.h"
+#include "order/objective.h"
 #include "order/test_support.h"
 
 namespace clearcut::order {
@@ -43,6 +44,10 @@ TEST(Problem, IllegalMovesCostTheirDetour) {
   EXPECT_EQ(back.leaves, (Vec2{-1, 1}));
   EXPECT_EQ(back.arrives, (Vec2{-1, -1}));
   EXPECT_DOUBLE_EQ(back.length, there.length);
+  // Each of the turns on the way costs a stop and a start (CPO-rho eq. 9).
+  const auto time = time_objective(1000, 0.177);
+  EXPECT_DOUBLE_EQ(time->edge(moves, 0, 2), there.length * 60 / 1000 + 2 * 2 * 0.177);
+  EXPECT_DOUBLE_EQ(time->edge(moves, 0, 1), 2.0 * 60 / 1000);
 }
 
 TEST(Problem, ContradictionsAreRefusedWithAReason) {
