@@ -1,7 +1,9 @@
 // Q200 set-up clearance over the surface Q203; Q201 depth below it, negative; Q202 peck; Q204 second clearance over the surface, to which the
 // tool goes back; Q206 feed down, Q208 feed up; Q210, Q211 dwells at the top and at the bottom; Q212 by how much each peck is less than the
 // one before, down to Q205; Q213 how often a chip is broken, by Q256, before the drill comes out; Q239 pitch, negative for left-hand threads;
-// Q395 what the depth counts to. (TNC manuals, cycle programming.)
+// Q395 what the depth counts to. Of deep holes (205): Q257 depth after which a chip is broken, Q258 and Q259 how far above the last depth the
+// drill goes on after the first and the last peck, Q379 how deep below the surface it begins, and Q253 the feed down to there.
+// (TNC manuals, cycle programming.)
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -29,6 +31,7 @@ const std::vector<Form>& forms() {
       {200, {200, 201, 202, 203, 204, 206}, {210, 211, 395}},
       {201, {200, 201, 203, 204, 206}, {208, 211}},
       {203, {200, 201, 202, 203, 204, 206}, {205, 208, 210, 211, 212, 213, 256, 395}},
+      {205, {200, 201, 202, 203, 204, 206}, {205, 208, 211, 212, 253, 256, 257, 258, 259, 379, 395}},
       {206, {200, 201, 203, 204, 206}, {211}},
       {207, {200, 201, 203, 204, 239}, {}}};
   return all;
@@ -54,6 +57,8 @@ class Maker {
     builder_.rapid(height(clear_), line_);
     if (cycle_.number == 200 || cycle_.number == 203) {
       drill();
+    } else if (cycle_.number == 205) {
+      drill_deep();
     } else {
       feed_down_and_up();
     }
@@ -76,6 +81,8 @@ class Maker {
       refuse("has pecks below 0; correct it");
     if (value(212) > 0 && !(value(205) > 0))
       refuse("makes pecks smaller and smaller (Q212) without a least one (Q205); correct it");
+    if (value(257) < 0 || value(258) < 0 || value(259) < 0 || value(379) < 0)
+      refuse("has a distance below 0; correct Q257, Q258, Q259 or Q379");
     if (value(200) < 0 || value(204) < 0) refuse("has a clearance below 0; correct Q200 or Q204");
     const double surface = value(203) * unit_;
     clear_ = surface + value(200) * unit_;
@@ -107,6 +114,40 @@ class Maker {
     if (cycle_.number == 203) feed_out_of_hole();
   }
 
+  /// The pecks count from where drilling begins. After each the drill comes out to the set-up clearance and goes back to above the last depth:
+  /// of the two distances the smaller one, since the control changes from the one to the other.
+  void drill_deep() {
+    const double start = value(203) * unit_ - value(379) * unit_;
+    const double before = std::min(value(258), value(259)) * unit_;
+    double peck = value(202) * unit_;
+    if (!(peck > 0) || (start - bottom_) / least_peck(peck) > kMostPecks)
+      refuse("needs a plunging depth Q202 of a sensible size; correct it");
+    if (start <= bottom_) refuse("begins no higher than it ends; correct Q379 or Q201");
+    if (value(379) > 0) feed(start, value(253) > 0 ? feed_of(value(253)) : feed_in());
+    double last = start;
+    for (double at = start - peck; at > bottom_; at -= peck) {
+      break_chips(last, at);
+      builder_.rapid(height(clear_), line_);
+      builder_.rapid(height(std::min(clear_, at + before)), line_);
+      last = at;
+      peck = std::max(least_peck(peck), peck - value(212) * unit_);
+    }
+    break_chips(last, bottom_);
+    dwell();
+    feed_out_of_hole();
+  }
+
+  /// Down to `to`, with a short way up by Q256 each Q257.
+  void break_chips(double from, double to) {
+    const double each = value(257) * unit_;
+    if (each > 0 && (from - to) / each > kMostPecks) refuse("breaks chips too often; correct Q257");
+    for (double at = from - each; each > 0 && at > to; at -= each) {
+      feed(at, feed_in());
+      feed(std::min(clear_, at + value(256) * unit_), feed_out());
+    }
+    feed(to, feed_in());
+  }
+
   double least_peck(double peck) const {
     const double least = value(205) * unit_;
     return value(212) > 0 && least > 0 ? std::min(peck, least) : peck;
@@ -135,7 +176,9 @@ class Maker {
   MmPerMin feed_in() const { return feed_of(value(206)); }
 
   /// Where none is given, out at the feed in.
-  MmPerMin feed_out() const { return value(208) > 0 ? feed_of(value(208)) : feed_in(); }
+  MmPerMin feed_out() const {
+    return value(208) > 0 && value(208) < kFeedAsRapid ? feed_of(value(208)) : feed_in();
+  }
 
   /// In inch programs in tenths of an inch, as F.
   MmPerMin feed_of(double words) const { return MmPerMin::of(words * feed_unit(unit_)); }

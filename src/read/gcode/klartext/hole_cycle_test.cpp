@@ -73,6 +73,22 @@ TEST(HoleCycle, UniversalDrillingBreaksChipsBeforeItComesOut) {
               HasSubstr("Q205"));
 }
 
+/// With the clearance as the way back and no chips to break a deep hole is drilled as the universal cycle drills it.
+TEST(HoleCycle, DeepHolesAreDrilledByPecksFromWhereTheyBegin) {
+  const std::string common = " Q200=+2 Q201=-10 Q206=+90 Q202=+4 Q203=+0 Q204=+13 Q212=+1 Q205=+2 Q208=+300";
+  EXPECT_EQ(after_start("7 CYCL DEF 205 DEEP" + common + " Q258=+2 Q259=+2 Q257=+0 Q256=+0.2\n8 CYCL CALL\n"),
+            after_start("7 CYCL DEF 203 UNIVERSAL" + common + "\n8 CYCL CALL\n"));
+  EXPECT_EQ(
+      after_start("7 CYCL DEF 205 DEEP Q200=+2 Q201=-10 Q206=+90 Q202=+5 Q203=+0 Q204=+13 Q208= MAX Q257=+3 "
+                  "Q256=+0.5 Q258=+0.2 Q259=+0.4 Q379=+2 Q253=+500\n8 CYCL CALL\n"),
+      "\nrapid to 10 20 2\nplunge to 10 20 -2 F500\nplunge to 10 20 -5 F90\nretract to 10 20 -4.5 "
+      "F90\nplunge "
+      "to 10 20 -7 F90\nrapid to 10 20 2\nrapid to 10 20 -6.8\nplunge to 10 20 -10 F90\nrapid to 10 20 13");
+  EXPECT_THAT(message_of(program(
+                  "7 CYCL DEF 205 A Q200=1 Q201=-9 Q206=9 Q202=4 Q203=0 Q204=9 Q379=9\n8 CYCL CALL\n")),
+              HasSubstr("begins no higher than it ends"));
+}
+
 TEST(HoleCycle, M99CallsItWhereItsBlockEnds) {
   EXPECT_EQ(after_start(drilling("+10") + "8 L X+30 R0 FMAX M99\n"),
             "\nrapid to 30 20 50\nrapid to 30 20 -1\nplunge to 30 20 -13 F150\nrapid to 30 20 27");
@@ -116,8 +132,8 @@ TEST(HoleCycle, WhatCannotBeIsRefusedInOneLine) {
   EXPECT_THAT(refusal(drilling("+Q5") + "8 CYCL CALL\n"), HasSubstr("Q5 is read before the program sets it"));
   EXPECT_THAT(refusal("7 CYCL DEF 201 REAMING Q200=1 Q201=+9 Q206=120 Q203=0 Q204=20\n8 CYCL CALL\n"),
               HasSubstr("negative depth"));
-  EXPECT_THAT(refusal("7 CYCL DEF 205 UNIVERSAL PECKING Q200=1\n8 CYCL CALL\n"),
-              HasSubstr("cycle 205 is not read"));
+  EXPECT_THAT(refusal("7 CYCL DEF 208 BORE MILLING Q200=1\n8 CYCL CALL\n"),
+              HasSubstr("cycle 208 is not read"));
 }
 
 }  // namespace
