@@ -80,7 +80,7 @@ async function inPage(page, example) {
   for (const [k, name] of programsOf(example).entries()) {
     if (k > 0) await page.selectOption('#plan-setup', {index: k});
     const again = async () => {
-      await page.evaluate(`showFrame('plan-report', element('plan-report').src)`);
+      await page.evaluate(`showFrame('plan-report', element('plan-report').src.split('#')[0])`);
       return reportIn(page, '#plan-report');
     };
     await scrubsBothWays(await reportIn(page, '#plan-report'), again, name);
