@@ -124,11 +124,14 @@ bool leaves_a_rest_out(const Part& part, const resolve::PlanOptions& asked, cons
   return std::any_of(part.workplan.begin(), part.workplan.end(), [&](const Workingstep& step) {
     const Feature& feature = feature_of(part, step);
     if (!is_cleared_or_drilled(feature)) return false;
-    const double fits = features::largest_fitting_diameter(feature, tol) + tol.fit;
-    return std::any_of(asked.tools.begin(), asked.tools.end(), [&](const Tool& tool) {
-      return clears_floors(tool) && tool.diameter <= fits && tool.diameter < tool_of(part, step).diameter &&
-             !resolve::reaches_floor(part, feature, tool);
-    });
+    // Of a short one what fits is asked last: it takes a clearance of the feature.
+    double narrowest = std::numeric_limits<double>::infinity();
+    for (const Tool& tool : asked.tools)
+      if (clears_floors(tool) && tool.diameter < tool_of(part, step).diameter &&
+          !resolve::reaches_floor(part, feature, tool))
+        narrowest = std::min(narrowest, tool.diameter);
+    return std::isfinite(narrowest) &&
+           narrowest <= features::largest_fitting_diameter(feature, tol) + tol.fit;
   });
 }
 

@@ -252,26 +252,23 @@ std::string no_room_beside_edge(const Feature& feature, const Tool& tool) {
 }
 
 std::string does_not_fit(const Part& part, const Workingstep& step, const Tolerances& tol) {
-  if (feature_of(part, step).chamfer) return no_room_beside_edge(feature_of(part, step), tool_of(part, step));
-  if (makes_holes(tool_of(part, step)) && !features::round_hole_of(feature_of(part, step), tol)) {
-    return fmt::format("tool T{} ({} {} mm) only makes round holes; {} needs a mill",
-                       tool_of(part, step).number, name_of(tool_of(part, step).kind),
-                       trimmed(tool_of(part, step).diameter, 4), feature_of(part, step).name);
-  }
   const Tool& tool = tool_of(part, step);
   const Feature& feature = feature_of(part, step);
-  if (features::leaves_hole_undone(part, step, tol) && features::is_shallower_than_point(feature, tool, tol))
-    return "tool " + point_longer_than_hole(feature, tool);
-  if (features::leaves_hole_undone(part, step, tol))
+  if (feature.chamfer) return no_room_beside_edge(feature, tool);
+  const auto hole = features::round_hole_of(feature, tol);
+  if (makes_holes(tool) && !hole)
+    return fmt::format("tool T{} ({} {} mm) only makes round holes; {} needs a mill", tool.number,
+                       name_of(tool.kind), trimmed(tool.diameter, 4), feature.name);
+  if (features::leaves_hole_undone(part, step, tol)) {
+    if (features::is_shallower_than_point(feature, tool, tol))
+      return "tool " + point_longer_than_hole(feature, tool);
     return fmt::format(
         "tool T{0} ({1} {2} mm) makes no hole of {3} mm; give one that does, for example --tool drill:{3}",
-        tool_of(part, step).number, name_of(tool_of(part, step).kind),
-        trimmed(tool_of(part, step).diameter, 4),
-        trimmed(2 * features::round_hole_of(feature_of(part, step), tol)->radius, 4));
-  return fmt::format("tool T{} ({} mm) does not fit {}; the largest that does has {} mm",
-                     tool_of(part, step).number, trimmed(tool_of(part, step).diameter, 4),
-                     feature_of(part, step).name,
-                     trimmed(features::largest_fitting_diameter(feature_of(part, step), tol), 3));
+        tool.number, name_of(tool.kind), trimmed(tool.diameter, 4), trimmed(2 * hole->radius, 4));
+  }
+  return fmt::format("tool T{} ({} mm) does not fit {}; the largest that does has {} mm", tool.number,
+                     trimmed(tool.diameter, 4), feature.name,
+                     trimmed(features::largest_fitting_diameter(feature, tol), 3));
 }
 
 /// Why there are no passes for a workingstep.

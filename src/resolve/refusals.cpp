@@ -154,8 +154,8 @@ std::optional<std::string> beyond_flutes(const Part& part, const Workingstep& st
   const Tool& tool = tool_of(part, step);
   // Rows of teeth cut a thread in several passes; their shank is narrower.
   if (tool.kind == ToolKind::kThreadMill || tool.kind == ToolKind::kTSlot) return std::nullopt;
+  if (reaches_floor(part, feature, tool)) return std::nullopt;
   if (tool.flute_length) {
-    if (part.top_z() - feature.floor_z <= *tool.flute_length + kLevel) return std::nullopt;
     const double height = height_beside_tool(part, step, tol);
     if (height <= *tool.flute_length + kLevel) return std::nullopt;
     return fmt::format(
@@ -164,8 +164,6 @@ std::optional<std::string> beyond_flutes(const Part& part, const Workingstep& st
         trimmed(height, 3), tool.number, trimmed(*tool.flute_length, 3));
   }
   const double depth = feature.top_z - feature.floor_z;
-  const bool drills = makes_holes(tool) || tool.kind == ToolKind::kTap;
-  if (depth <= (drills ? kReachOfDrill : kReachOfMill) * tool.diameter + kLevel) return std::nullopt;
   return fmt::format(
       "it is {} mm deep, {} diameters of T{}; if the flutes reach that far say so "
       "(--tool {}:{}:length={}, flute_length in files), else use less depth",
@@ -422,47 +420,53 @@ bool may_be_left_out(const Part& part, const Workingstep& step, const Tolerances
          !is_formed(feature) && !is_carved(feature, tool_of(part, step)) && !is_rested_on(part, feature, tol);
 }
 
+struct Reach {
+  std::vector<std::string>
+      beyond;          ///< for each workingstep why its flutes are too short; "" where they are not
+  std::set<int> made;  ///< features that some step reaches
+};
+
+Reach reach_of(const Part& part, const Tolerances& tol) {
+  Reach reach;
+  for (const Workingstep& step : part.workplan) {
+    reach.beyond.push_back(beyond_flutes(part, step, tol).value_or(""));
+    if (reach.beyond.back().empty()) reach.made.insert(step.feature);
+  }
+  return reach;
+}
+
 }  // namespace
 
 std::vector<std::string> unreached_steps(const Part& part, const Tolerances& tol) {
-  std::vector<std::string> unreached;
-  std::set<int> reached;  // features that some step makes
-  for (const Workingstep& step : part.workplan) {
-    const auto why = beyond_flutes(part, step, tol);
-    unreached.push_back(why.value_or(""));
-    if (!why) reached.insert(step.feature);
-  }
-  for (std::size_t i = 0; i < unreached.size(); ++i) {
+  Reach reach = reach_of(part, tol);
+  for (std::size_t i = 0; i < reach.beyond.size(); ++i) {
     const Workingstep& step = part.workplan[i];
-    if (!unreached[i].empty() &&
-        (reached.empty() || reached.contains(step.feature) || !may_be_left_out(part, step, tol)))
-      unreached[i].clear();
+    if (!reach.beyond[i].empty() &&
+        (reach.made.empty() || reach.made.contains(step.feature) || !may_be_left_out(part, step, tol)))
+      reach.beyond[i].clear();
   }
-  return unreached;
+  return std::move(reach.beyond);
 }
 
 bool reaches_floor(const Part& part, const Feature& feature, const Tool& tool) {
   if (tool.flute_length) return part.top_z() - feature.floor_z <= *tool.flute_length + kLevel;
-  return feature.top_z - feature.floor_z <= kReachOfMill * tool.diameter + kLevel;
+  const bool drills = makes_holes(tool) || tool.kind == ToolKind::kTap;
+  const double reach = (drills ? kReachOfDrill : kReachOfMill) * tool.diameter;
+  return feature.top_z - feature.floor_z <= reach + kLevel;
 }
 
 void drop_unreached_rests(Part& part, const std::set<std::string>& rests, const Tolerances& tol) {
-  std::set<int> reached;
-  std::vector<std::optional<std::string>> why;
-  for (const Workingstep& step : part.workplan) {
-    why.push_back(beyond_flutes(part, step, tol));
-    if (!why.back()) reached.insert(step.feature);
-  }
+  const Reach reach = reach_of(part, tol);
   std::vector<Workingstep> kept;
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
     const Workingstep& step = part.workplan[i];
-    if (!why[i] || !rests.contains(step.name) || !reached.contains(step.feature)) {
+    if (reach.beyond[i].empty() || !rests.contains(step.name) || !reach.made.contains(step.feature)) {
       kept.push_back(step);
       continue;
     }
     part.diagnostics.doubt(feature_of(part, step).name, "out-of-reach",
                            "T" + std::to_string(tool_of(part, step).number) +
-                               " does not mill what the wider tools leave: " + *why[i]);
+                               " does not mill what the wider tools leave: " + reach.beyond[i]);
   }
   part.workplan = std::move(kept);
 }

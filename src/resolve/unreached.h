@@ -15,8 +15,8 @@ namespace clearcut::resolve {
 /// with a form of their own, and where other work rests on the feature: such a part is refused as a whole.
 std::vector<std::string> unreached_steps(const Part& part, const Tolerances& tol);
 
-/// Whether the flutes of a mill reach the feature's floor from the top of the part, or, where their length is not stated,
-/// the feature is no deeper than mills usually go.
+/// Whether the tool's flutes reach the feature's floor from the top of the part, or, where their length is not stated,
+/// the feature is no deeper than such tools usually go.
 bool reaches_floor(const Part& part, const Feature& feature, const Tool& tool);
 
 /// Takes those of the workingsteps named by `rests` out of the workplan of `part` whose tools are too short for a floor that

@@ -1,3 +1,5 @@
+#include <span>
+
 #include "commands/commands.h"
 
 namespace clearcut::cli {
@@ -25,12 +27,15 @@ void add_product_commands(CLI::App& app, int& exit_code, void (*at_random)(const
 }
 
 bool add_product_command(CLI::App& app, int& exit_code, std::string_view name) {
-  for (const ProductCommand& command : kBeforeCompare) {
-    if (name != command.name) continue;
-    command.add(app, exit_code);
-    return true;
-  }
-  return false;
+  const auto add_from = [&](std::span<const ProductCommand> commands) {
+    for (const ProductCommand& command : commands)
+      if (name == command.name) {
+        command.add(app, exit_code);
+        return true;
+      }
+    return false;
+  };
+  return add_from(kBeforeCompare) || add_from(kAfterCompare);
 }
 
 }  // namespace clearcut::cli

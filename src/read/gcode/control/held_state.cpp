@@ -322,6 +322,13 @@ void settle_motion_words(const std::vector<MotionNeed>& needs, StopScan& scan) {
   }
 }
 
+void keep_coolant(Coolant before, Coolant now, HeldWords& words) {
+  if (before == now) return;
+  words.coolant.clear();
+  if (has_flood(now)) words.coolant.emplace_back("M8");
+  if (has_mist(now)) words.coolant.emplace_back("M7");
+}
+
 double wait_behind_spindle(const std::vector<ControlEvent>& events) {
   const auto start = std::find_if(events.rbegin(), events.rend(), [](const ControlEvent& event) {
     return event.kind == ControlEventKind::kSpindleStart;

@@ -74,6 +74,9 @@ struct HeldState {
   HeldWords words;
 };
 
+/// Keeps the words that switch on what is on `now`, where no control has words of its own for it.
+void keep_coolant(Coolant before, Coolant now, HeldWords& words);
+
 /// s that a program waits between the last start of the spindle and the motion after it.
 double wait_behind_spindle(const std::vector<ControlEvent>& events);
 

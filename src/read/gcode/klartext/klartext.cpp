@@ -57,7 +57,6 @@ class Reader {
   Hindrance hindrance_at(const std::vector<std::string>& words) const;
   HeldState held();
   void keep(const std::vector<std::string>& words);
-  void keep_coolant(Coolant before, Coolant now);
   bool flow(const std::vector<std::string>& words);
   void call_label(const std::vector<std::string>& words);
   void tell_calls();
@@ -1175,7 +1174,7 @@ StopScan Reader::scan(std::string_view text, int line) {
     const Coolant before = builder_.drive.coolant;
     execute(words);
     keep(words.words);
-    keep_coolant(before, builder_.drive.coolant);
+    keep_coolant(before, builder_.drive.coolant, held_words_);
   }
   return scan;
 }
@@ -1262,13 +1261,6 @@ void Reader::keep(const std::vector<std::string>& words) {
     });
     if (is_up) kept.home = text;
   }
-}
-
-void Reader::keep_coolant(Coolant before, Coolant now) {
-  if (before == now) return;
-  held_words_.coolant.clear();
-  if (has_flood(now)) held_words_.coolant.emplace_back("M8");
-  if (has_mist(now)) held_words_.coolant.emplace_back("M7");
 }
 
 }  // namespace

@@ -198,11 +198,7 @@ class SinumerikReader {
     const Coolant before = control_.modes.coolant;
     execute(block);
     keep_sinumerik_words(block, held_words_);
-    const Coolant now = control_.modes.coolant;
-    if (now == before) return;
-    held_words_.coolant.clear();
-    if (has_flood(now)) held_words_.coolant.emplace_back("M8");
-    if (has_mist(now)) held_words_.coolant.emplace_back("M7");
+    keep_coolant(before, control_.modes.coolant, held_words_);
   }
 
   static bool has_word(const SinumerikBlock& block, std::string_view name) {
