@@ -23,6 +23,7 @@ constexpr std::array kRows{
     ConditionRow{"m#", "m6"}, ConditionRow{"stray-word"}, ConditionRow{"dwell"}, ConditionRow{"chip-load"},
     ConditionRow{"cutting-speed"}, ConditionRow{"stated-feed"}, ConditionRow{"stated-speed"},
     ConditionRow{"stated-peck"}, ConditionRow{"stated-dwell"}, ConditionRow{"rigid-tap"},
+    ConditionRow{"oriented-retract"}, ConditionRow{"manual-retract"}, ConditionRow{"scaling"},
     ConditionRow{"far-move"}, ConditionRow{"ends-low"}, ConditionRow{"program-end"}, ConditionRow{"d#", "d1"},
     ConditionRow{"tool-name-#", "tool-name-1"}, ConditionRow{"parameter-#", "parameter-100"},
     ConditionRow{"measured-move"}, ConditionRow{"measured-value"},

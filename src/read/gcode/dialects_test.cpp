@@ -179,6 +179,10 @@ TEST(GcodeConditions, WhatTheMachineHoldsIsNamed) {
   EXPECT_EQ(conditions(start + "G28\nM2"), "g28-home@2");
   EXPECT_EQ(conditions(start + "G30 Z9\nM2"), "g30-home@2");
   EXPECT_EQ(conditions(start + "G43.1 Z1\nG1 X5 F1\nM2"), "tool-length-g43.1@2");
+  EXPECT_EQ(conditions(start + "G43 H1\nG43.2 H9\nG1 X5 F1\nM2"), "tool-length-g43.2@3");
+  EXPECT_EQ(conditions(start + "G43 H1\nG43.2 Z0.25\nG1 X5 F1\nM2"), "");
+  EXPECT_THAT(message_of(start + "G43.2\nM2"), HasSubstr("give one of them"));
+  EXPECT_THAT(message_of(start + "G43.2 X1 Z1\nM2"), HasSubstr("G43.2 with X or Y"));
   EXPECT_EQ(conditions(start + "T1 M6\nG43 H5\nG1 X5 F1\nM2"), "tool-length-h5@4");
   EXPECT_EQ(conditions(start + "T1 M6\nG43 H1\nG1 X5 F1\nG49\nX2\nM2"), "tool-length-off@6");
   EXPECT_EQ(conditions_as(Dialect::kFanuc, start + "G54.1 P2\nM2"), "decimal-point@1 g54.1-p2@2");

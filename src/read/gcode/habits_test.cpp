@@ -160,7 +160,7 @@ constexpr Habit kHabits[] = {
      "p:6: axis word A; only the three axes X, Y, Z are read"},
     {"threads by G76",
      "G21 G17 G90 G94 G54 G61\nT1 M6\nG43 H1\nM3 S500\nG0 X10 Y0 Z5\nG76 P1 Z-10 I-1 J0.2 K1\nM2\n",
-     "linuxcnc", "p:6: G76 is not read; post the program without it"},
+     "linuxcnc", "p:6: G76 cuts a thread in passes here, which is not read; mill it by G2 and G3"},
     {"Marlin",
      "; made for Marlin\nM107\nG90\nG21\nM3 S255\nG0 X10 Y10 F3000\nG0 Z5 F600\nG1 Z-1 F300\nG1 X20 F900\nG0 "
      "Z5 F600\nM5\nM117 DONE\n",
@@ -333,7 +333,7 @@ constexpr Habit kHabits[] = {
     {"Fanuc: boring by G76",
      "%\nO0002\nG21 G17 G90 G94 G40 G49 G80 G54 G61\nT1 M6\nS8000 M3\nG0 X10. Y10.\nG43 H1 Z5.\nG98 G76 "
      "Z-12. R2. Q0.2 F100.\nG80\nG0 Z5.\nM30\n%\n",
-     "fanuc", "p:8: G76 is not read; post the program without it"},
+     "fanuc", "oriented-retract"},
     {"Fanuc: tilted plane by G68.2",
      "%\nO0002\nG21 G17 G90 G94 G40 G49 G80 G54 G61\nT1 M6\nS8000 M3\nG0 X10. Y10.\nG43 H1 Z5.\nG68.2 X0. "
      "Y0. Z0. I0. J30. K0.\nG1 Z-1. F300.\nG0 Z5.\nM30\n%\n",
@@ -361,7 +361,9 @@ constexpr Habit kHabits[] = {
     {"Haas: pocket by G150",
      "%\nO0002\nG21 G17 G90 G94 G40 G49 G80 G54\nT1 M6\nS8000 M3\nG0 X10. Y10.\nG43 H1 Z5.\nG187 E0.01\nG150 "
      "P100 Z-5. Q1. R1. I2. K0.2 G41 D1 F500.\nG0 Z5.\nM30\n%\n",
-     "haas", "p:9: G150 is not read; post the program without it"},
+     "haas",
+     "p:9: G150 is not read: it clears its pocket by passes that the control chooses and nobody states; post "
+     "the passes themselves"},
     {"Haas: tapping by G84",
      "%\nO0002\nG21 G17 G90 G94 G40 G49 G80 G54\nT1 M6\nS8000 M3\nG0 X10. Y10.\nG43 H1 Z5.\nG187 "
      "E0.01\nS500\nG84 Z-8. R2. F500.\nG80\nG0 Z5.\nM30\n%\n",

@@ -278,10 +278,14 @@ class TapCheck {
 
   std::optional<Fault> way_out(const CheckedMove& checked) const {
     if (!is_asked(checked) || !goes_in(checked)) return std::nullopt;
-    const CheckedMove* next = &checked == &program_.moves.back() ? nullptr : &checked + 1;
     const double top = std::min(checked.move->z_from, top_at(checked));
-    if (next && next->feeds() && next->move->is_vertical() && next->move->z_to >= top - kTapHeight)
-      return std::nullopt;
+    // A cycle that breaks chips goes back and down again before the tap is out.
+    const bool breaks_chips = cycles_.count(&checked) > 0;
+    for (const CheckedMove* next = &checked + 1; next <= &program_.moves.back(); ++next) {
+      if (!next->feeds() || !next->move->is_vertical()) break;
+      if (next->move->z_to >= top - kTapHeight) return std::nullopt;
+      if (!breaks_chips) break;
+    }
     return fault(checked, 0, "the tap does not come out at its feed right after it went in");
   }
 

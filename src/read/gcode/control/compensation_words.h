@@ -28,8 +28,4 @@ class CompensationWords {
 double compensation_of(const CompensationValues& values, ToolpathBuilder& builder, int number, int tool,
                        const std::string& word, int line);
 
-/// Whether the block has one of them, whose moves are made then: along half a circle out to the radius I less that of the tool (D), once
-/// round, and along half a circle back to the centre. Throws InputError for what is not read of them, and on other controls.
-bool mill_circle(Control& control, const Block& block);
-
 }  // namespace clearcut::read::gcode

@@ -80,6 +80,12 @@ Target Control::target(const Block& block) {
     target[axis] = target_of(axis, block);
     if (modes.absolute) zero_is_measured[axis] = false;
   }
+  if (target[2] && plan_map.scale_z != 1) {
+    if (modes.plane != Plane::kXY)
+      refuse(std::string(plan_map.words) + " outside the XY plane are not read; use G17");
+    const double from = modes.absolute ? plan_map.fixed_z + frame.shift(2) : builder.known(2, line);
+    target[2] = from + plan_map.scale_z * (*target[2] - from);
+  }
   if ((plan_map.is_on || polar_mode) && (target[0] || target[1])) map_plan(block, target);
   return target;
 }

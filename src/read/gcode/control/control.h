@@ -40,19 +40,21 @@ struct Modes {
   PathControl path;
 };
 
-/// G68 and G51.1: what a control makes of the places of a program in the XY plane. p becomes fixed + (xx xy; yx yy)(p - fixed).
+/// G68, G51 and G51.1: what a control makes of the places of a program. In the XY plane p becomes fixed + (xx xy; yx yy)(p - fixed).
 struct PlanMap {
   bool is_on = false;
+  int made_by = 0;     ///< G word in tenths
   bool flips = false;  ///< arcs turn the other way
   double xx = 1, xy = 0, yx = 0, yy = 1;
-  double scale = 1;                               ///< of lengths in plan
-  Vec2 fixed;                                     ///< mm, as the program counts
-  std::string_view words = "G16, G68 and G51.1";  ///< that make it, for messages
+  double scale = 1;                                    ///< of lengths in plan; 0 where the two axes differ
+  Vec2 fixed;                                          ///< mm, as the program counts
+  double scale_z = 1, fixed_z = 0;                     ///< the same of heights
+  std::string_view words = "G16, G68, G51 and G51.1";  ///< that make it, for messages
 
   Vec2 turned(Vec2 v) const { return {xx * v.x + xy * v.y, yx * v.x + yy * v.y}; }
   Vec2 turned_back(Vec2 v) const {
-    const double square = scale * scale;
-    return {(xx * v.x + yx * v.y) / square, (xy * v.x + yy * v.y) / square};
+    const double area = xx * yy - xy * yx;
+    return {(yy * v.x - xy * v.y) / area, (xx * v.y - yx * v.x) / area};
   }
   Vec2 placed(Vec2 p) const { return fixed + turned(p - fixed); }
   Vec2 placed_back(Vec2 p) const { return fixed + turned_back(p - fixed); }
@@ -67,6 +69,8 @@ struct Control {
   [[noreturn]] void refuse(const std::string& what) const;
   /// At a word that only a reader of macros understands.
   [[noreturn]] void macro(const std::string& what) const;
+  /// Whether the G word makes holes on this control.
+  bool is_cycle(int code) const { return is_drill_cycle(code) || is_boring_cycle(rules, code); }
   /// Whether the program or a machine file says where a work offset lies.
   bool origin_stated(int system, std::size_t axis) const;
   void condition(const std::string& name, const std::string& what) { builder.condition(name, line, what); }
@@ -99,6 +103,7 @@ struct Control {
   bool tool_put_in = false;  ///< an M6 or a pause was seen
   int in_spindle_since = 0;  ///< line of the first cut with a tool that was selected and not put in; 0: none
   int last_length = 0;       ///< the last H word, 0 before any
+  bool adds_length = false;  ///< G43.2 was met behind the word of the length in force
   bool length_used = false;  ///< a tool length was in force
   bool units_said = false, distance_said = false, plane_said = false, centers_said = false;
   bool return_said = false;

@@ -31,6 +31,7 @@ constexpr HindranceText kHindranceTexts[] = {
     {Hindrance::kMap,
      "while places are shifted, turned, mirrored or polar (G68, G51.1, G16, TRANS, ROT, cycles 7 and 10)"},
     {Hindrance::kShift, "while the zero is where the cutter stood when it was set (G92, G10)"},
+    {Hindrance::kAddedLength, "while a length is added to the tool's (G43.2)"},
     {Hindrance::kSavedModes, "while modes are kept for later (M70)"},
     {Hindrance::kOldLength, "between a change of tools and the word for the new length (G43)"},
     {Hindrance::kCorner,
@@ -125,6 +126,7 @@ class Follower {
     if (compensates_) return Hindrance::kCompensation;
     if (builder_.waits_at_corner()) return Hindrance::kCorner;
     if (control.plan_map.is_on || control.polar_mode) return Hindrance::kMap;
+    if (control.adds_length) return Hindrance::kAddedLength;
     if (zero_moved_) return Hindrance::kShift;
     if (keeps_modes_) return Hindrance::kSavedModes;
     return old_length_ ? Hindrance::kOldLength : Hindrance::kNone;

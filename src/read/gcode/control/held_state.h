@@ -21,6 +21,7 @@ enum class Hindrance : unsigned char {
   kCompensation,  ///< cutter radius compensation is on
   kMap,           ///< the program's places are shifted, turned, mirrored or polar
   kShift,         ///< the zero was moved to where the cutter stood
+  kAddedLength,   ///< a length is added to the tool's
   kSavedModes,    ///< modes were kept that a later word brings back
   kOldLength,     ///< the length in force is that of the tool before
   kCorner,        ///< it goes on from the move before: at rounded corners, CT, between APPR and DEP

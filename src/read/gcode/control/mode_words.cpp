@@ -104,7 +104,7 @@ void ModeWords::set_other(int code, const Block& block) {
     PlaceWords(control_).use_system(code, block);
   } else if (group == Group::kCompensation || code == 400) {
     return;  // see set_modes
-  } else if (code == 430 || code == 431 || code == 490) {
+  } else if (code == 430 || code == 431 || code == 432 || code == 490) {
     if (control_.rules.compensation.begins_in_plan) CompensationWords(control_).refuse_while_on(g_word(code));
     PlaceWords(control_).set_length(code, block);
   } else if (code == 610 || code == 611 || code == 640 || code == 1870) {
@@ -114,8 +114,9 @@ void ModeWords::set_other(int code, const Block& block) {
     control_.polar_mode = code == 160;
     control_.polar_place = {};
   } else if (code == 690) {
-    if (control_.plan_map.is_on) CompensationWords(control_).refuse_while_on("G69");
-    control_.plan_map = {};
+    PlaceWords(control_).end_map(code, 680);
+  } else if (code == 500) {
+    PlaceWords(control_).end_map(code, 510);
   } else if (code == 51) {
     const bool smooths = control_.rules.macros == MacroLanguage::kFanuc && !block.has('I') && !block.has('J');
     if (!smooths && (block.has_axis() || block.has('I') || block.has('J')))
@@ -128,6 +129,10 @@ void ModeWords::set_other(int code, const Block& block) {
     control_.refuse(g_word(code) + " says " + (code == 700 ? "inches" : "mm") +
                     " on Mach alone (Vectric's posts write it): name --dialect mach3, or post " +
                     (code == 700 ? "G20" : "G21"));
+  } else if (code == 1500) {
+    control_.refuse(
+        "G150 is not read: it clears its pocket by passes that the control chooses and nobody states; post "
+        "the passes themselves");
   } else if (group == Group::kUnknown) {
     control_.refuse(g_word(code) + " is not read; post the program without it");
   }

@@ -22,7 +22,7 @@ constexpr double kUprightChord = 0.0005;
 void MotionWords::move(const Block& block) {
   const int said = motion_in(block);
   if (said >= 0) control_.motion = said;
-  const bool cycle = is_drill_cycle(control_.motion);
+  const bool cycle = control_.is_cycle(control_.motion);
   if (!cycle) control_.cycle = {};
   if (control_.motion == 800) control_.tied_by_m29 = false;
   if (block.corner) check_corner(block);
@@ -55,7 +55,23 @@ void MotionWords::move(const Block& block) {
   if (control_.motion == 331) return rigid_tap(block);
   if (control_.motion >= 382 && control_.motion <= 385) return measure(block);
   if (control_.motion == 800) control_.refuse("axis words after G80 without a motion word; add G0 or G1");
-  control_.refuse(g_word(control_.motion) + " is not read; post the program without it");
+  refuse_motion();
+}
+
+/// What no control here does by the word, or what a path in a stock seen from above cannot show.
+void MotionWords::refuse_motion() const {
+  const int code = control_.motion;
+  if (bores_from_below(control_.rules, code))
+    control_.refuse(
+        g_word(code) +
+        " bores from below, where its bar comes past the hole's wall aside and turned, which is not "
+        "read; check that hole apart");
+  if (code == 870 || code == 880)
+    control_.refuse(g_word(code) + " does nothing that " + std::string(control_.rules.title) +
+                    " states; bore by G85, G86 or G89");
+  if (code == 760)
+    control_.refuse("G76 cuts a thread in passes here, which is not read; mill it by G2 and G3");
+  control_.refuse(g_word(code) + " is not read; post the program without it");
 }
 
 void MotionWords::check_corner(const Block& block) {
@@ -80,6 +96,7 @@ void MotionWords::round_corner(const CornerWord& said) {
   corner.kind = said.letter == 'R'   ? CornerKind::kRounding
                 : said.letter == 'C' ? CornerKind::kChamfer
                                      : CornerKind::kChamferLength;
+  refuse_unequal_scales();
   corner.size = control_.mm(said.value) * (control_.plan_map.is_on ? control_.plan_map.scale : 1);
   corner.feeds_as_next = control_.rules.corner_feeds_as_next;
   if (said.feed && control_.modes.feed_mode != FeedMode::kPerMinute)
@@ -135,7 +152,7 @@ void MotionWords::check_words_said(const Block& block) {
     control_.condition("g17", "the program states no plane before its arcs or cycles; the control is in G17");
   }
   if (!control_.rules.points_matter) return;
-  const bool counts_holes = is_drill_cycle(motion_in(block) >= 0 ? motion_in(block) : control_.motion);
+  const bool counts_holes = control_.is_cycle(motion_in(block) >= 0 ? motion_in(block) : control_.motion);
   for (const char letter : {'X', 'Y', 'Z', 'I', 'J', 'K', 'R', 'Q'}) {
     if (letter == 'K' && counts_holes) continue;
     if (block.has(letter) && block.is_whole(letter) && block.value(letter) != 0) {
@@ -190,8 +207,15 @@ void MotionWords::arc(const Block& block) {
   }
 }
 
+void MotionWords::refuse_unequal_scales() const {
+  if (control_.plan_map.scale == 0)
+    control_.refuse(
+        "arcs while G51 scales X and Y differently are no arcs; post them as lines, or scale both alike");
+}
+
 ArcShape MotionWords::arc_shape(const Block& block, Vec2 from, Vec2 to) {
   const PlanMap& map = control_.plan_map;
+  refuse_unequal_scales();
   const bool clockwise = (control_.motion == 20) != (map.is_on && map.flips);
   const Turn turn = clockwise ? Turn::kClockwise : Turn::kCounterClockwise;
   const PlaneAxes axes = axes_of(control_.modes.plane);
@@ -225,7 +249,7 @@ ArcShape MotionWords::arc_shape(const Block& block, Vec2 from, Vec2 to) {
     control_.refuse("P word is no number of turns; correct it");
   if (map.is_on) {
     if (control_.modes.absolute_centers)
-      control_.refuse("absolute centres under G68 or G51.1 are not read; use G91.1");
+      control_.refuse("absolute centres under G68, G51 or G51.1 are not read; use G91.1");
     const Vec2 arm = map.turned({control_.mm(block.value('I')), control_.mm(block.value('J'))});
     return arc_about(from, to, from + arm, turn, static_cast<int>(turns), rule,
                      control_.builder.place(control_.line));
@@ -309,6 +333,9 @@ void CannedCycles::check_dwell(const Block& block) const {
 
 /// In G91, R counts from a height before the cycle and Z from R.
 void CannedCycles::set_cycle_heights(Hole& hole) {
+  if (control_.plan_map.scale_z != 1)
+    control_.refuse(
+        "drilling cycles while G51 scales heights are not read; scale X and Y alone, or drill outside of it");
   const double shift = control_.frame.shift(hole.across);
   const double level = control_.cycle.level + shift;
   hole.r = *control_.cycle.r + (control_.modes.absolute ? shift : level);
@@ -360,6 +387,11 @@ void CannedCycles::execute(const Block& block) {
               control_.rules.taps == TapRule::kTied ||
                   (control_.rules.taps == TapRule::kTiedByM29 && control_.tied_by_m29),
               control_.rules.taps != TapRule::kAsItTurns};
+  hole.taps_peck = control_.rules.taps_peck;
+  hole.hands_take_it_out = control_.motion == 870 || control_.motion == 880;
+  if (control_.motion == 760)
+    note_oriented_retract(control_.builder, control_.line,
+                          "by Q, or I and J, to a side that the control is set to");
   set_cycle_heights(hole);
   if (hole.feeds_out_to_clear != (hole.clear == hole.r) &&
       (control_.motion == 740 || control_.motion == 840 || control_.motion == 890)) {

@@ -21,6 +21,8 @@ class MotionWords {
   [[noreturn]] void refuse_idle_corner() const;
   void check_words_said(const Block& block);
   void check_compensation() const;
+  [[noreturn]] void refuse_motion() const;
+  void refuse_unequal_scales() const;
   void straight(const Block& block, bool rapid);
   void rigid_tap(const Block& block);
   void measure(const Block& block);

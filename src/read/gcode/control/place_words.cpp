@@ -6,6 +6,7 @@
 #include "base/elementary.h"
 #include "base/text.h"
 #include "base/units.h"
+#include "read/gcode/control/circle_words.h"
 #include "read/gcode/control/compensation_words.h"
 #include "read/gcode/words/block.h"
 
@@ -13,6 +14,7 @@ namespace clearcut::read::gcode {
 
 namespace {
 
+constexpr double kLeastScale = 0.001, kGreatestScale = 1000;
 constexpr int kSystemWords[] = {540, 550, 560, 570, 580, 590, 591, 592, 593};
 
 std::string lower(std::string text) {
@@ -54,6 +56,10 @@ bool PlaceWords::move_specially(const Block& block) {
     rotate(block);
     return true;
   }
+  if (has_g(block, 510)) {
+    scale(block);
+    return true;
+  }
   for (const int code : {501, 511}) {
     if (!has_g(block, code)) continue;
     mirror(block, code == 511);
@@ -62,14 +68,14 @@ bool PlaceWords::move_specially(const Block& block) {
   for (const int code : {921, 922, 923}) {
     if (has_g(block, code)) clear_shift(code);
   }
-  if (has_g(block, 431)) return true;
+  if (has_g(block, 431) || has_g(block, 432)) return true;
   return has_g(block, 40) && control_.rules.dwell_by_x;
 }
 
 void PlaceWords::go_home(const Block& block, bool first) {
   const std::string name = first ? "g28-home" : "g30-home";
   const bool all = !block.has_axis();
-  if (control_.rules.no_home_in_cycle && is_drill_cycle(control_.motion))
+  if (control_.rules.no_home_in_cycle && control_.is_cycle(control_.motion))
     control_.refuse(
         "G28 and G30 within a drilling cycle stop the control with an alarm; end it by G80 before");
   if (control_.rules.home_is_switches) return go_to_unknown(block, name, all, false);
@@ -205,8 +211,7 @@ void PlaceWords::shift(const Block& block) {
 
 /// G68 turns what follows about a place by R degrees.
 void PlaceWords::rotate(const Block& block) {
-  if (control_.plan_map.is_on && control_.plan_map.flips)
-    control_.refuse("G68 while G51.1 is in force is not read; end one of them before");
+  refuse_second_map(680);
   if (control_.modes.plane != Plane::kXY) control_.refuse("G68 outside the XY plane is not read; use G17");
   if (!block.has('X') || !block.has('Y') || !block.has('R'))
     control_.refuse("G68 without its X, Y or R word; give the centre and the angle");
@@ -216,6 +221,7 @@ void PlaceWords::rotate(const Block& block) {
   const double angle = block.value('R') * kPi / 180;
   PlanMap map;
   map.is_on = true;
+  map.made_by = 680;
   map.xx = map.yy = base::cos(angle);
   map.yx = base::sin(angle);
   map.xy = -map.yx;
@@ -227,8 +233,7 @@ void PlaceWords::rotate(const Block& block) {
 void PlaceWords::mirror(const Block& block, bool on) {
   PlanMap& map = control_.plan_map;
   if (block.has('Z')) control_.refuse("mirrored Z is not read; post the program without it");
-  if (map.is_on && map.xy != 0)
-    control_.refuse("G51.1 while G68 is in force is not read; end one of them before");
+  refuse_second_map(511);
   if (!block.has_axis() && on)
     control_.refuse("G51.1 without axis words; give the place about which it mirrors");
   const bool all = !block.has_axis();
@@ -238,6 +243,79 @@ void PlaceWords::mirror(const Block& block, bool on) {
   if (on && block.has('Y')) map.fixed.y = control_.mm(block.value('Y'));
   map.flips = map.xx * map.yy < 0;
   map.is_on = map.xx < 0 || map.yy < 0;
+  map.made_by = 511;
+}
+
+void PlaceWords::refuse_second_map(int code) const {
+  const PlanMap& map = control_.plan_map;
+  if (map.is_on && map.made_by != code)
+    control_.refuse(g_word(code) + " while " + g_word(map.made_by) +
+                    " is in force is not read; end one of them before");
+}
+
+void PlaceWords::end_map(int code, int made_by) {
+  if (control_.plan_map.made_by != made_by) return;
+  if (control_.plan_map.is_on) CompensationWords(control_).refuse_while_on(g_word(code));
+  control_.plan_map = {};
+}
+
+/// G51 scales the places of the moves after it, arcs with them; feeds, lengths and radii of tools stay.
+void PlaceWords::scale(const Block& block) {
+  if (control_.rules.scaling == ScalingWords::kNone)
+    control_.refuse("G51 is not read; post the program without it");
+  refuse_second_map(510);
+  if (control_.modes.plane != Plane::kXY) control_.refuse("G51 outside the XY plane is not read; use G17");
+  if (!control_.modes.absolute) control_.refuse("G51 in G91 is not read; state its centre in G90");
+  if (control_.polar_mode) control_.refuse("G51 while G16 is in force is not read; end one of them before");
+  PlanMap map;
+  map.made_by = 510;
+  set_scales(block, map);
+  map.is_on = map.xx != 1 || map.yy != 1 || map.scale_z != 1;
+  map.flips = map.xx * map.yy < 0;
+  map.scale = std::abs(map.xx) == std::abs(map.yy) ? std::abs(map.xx) : 0;
+  control_.plan_map = map;
+}
+
+/// An axis without its word is scaled about the place where it is.
+void PlaceWords::set_scales(const Block& block, PlanMap& map) {
+  double* const scales[] = {&map.xx, &map.yy, &map.scale_z};
+  double* const fixed[] = {&map.fixed.x, &map.fixed.y, &map.fixed_z};
+  const bool by_axes = control_.rules.scaling == ScalingWords::kAxes;
+  const bool has_one = block.has('P');
+  const bool one_by_one = control_.rules.scaling == ScalingWords::kThousandths && !has_one;
+  if (!by_axes && !has_one && !(one_by_one && (block.has('I') || block.has('J') || block.has('K'))))
+    control_.refuse("G51 without its factor P takes it from a setting of the control; add P");
+  if (by_axes && !block.has_axis())
+    control_.refuse("G51 without X, Y and Z, the factors of the axes; add them");
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const char letter = "XYZ"[axis];
+    if (by_axes) {
+      if (block.has(letter)) *scales[axis] = scale_of(letter, block);
+      continue;
+    }
+    *scales[axis] = has_one                  ? scale_of('P', block)
+                    : block.has("IJK"[axis]) ? scale_of("IJK"[axis], block)
+                                             : 1;
+    *fixed[axis] = block.has(letter)
+                       ? control_.mm(block.value(letter))
+                       : control_.builder.known(axis, control_.line) - control_.frame.shift(axis);
+  }
+  if (map.scale_z < 0) control_.refuse("mirrored Z is not read; post the program without it");
+}
+
+/// The factor that the word states.
+double PlaceWords::scale_of(char letter, const Block& block) const {
+  double factor = block.value(letter);
+  if (control_.rules.scaling == ScalingWords::kThousandths && block.is_whole(letter)) {
+    factor /= 1000;
+    control_.condition("scaling",
+                       "P, I, J and K of G51 without a point count in thousandths (parameter 5400.7), as the "
+                       "control is delivered");
+  }
+  const bool mirrors = letter != 'P' && control_.rules.scaling != ScalingWords::kFactor;
+  if (!(std::abs(factor) >= kLeastScale && std::abs(factor) <= kGreatestScale) || (factor < 0 && !mirrors))
+    control_.refuse(std::string("G51 with an impossible factor ") + letter + "; correct it");
+  return factor;
 }
 
 void PlaceWords::clear_shift(int code) {
@@ -293,7 +371,24 @@ void PlaceWords::use_plain_system(int code) {
   control_.condition(lower(g_word(code)), g_word(code) + " has its origin where the work's is");
 }
 
+/// G43.2 adds to the length in force: one that is stated, or one of the tool table.
+void PlaceWords::add_length(const Block& block) {
+  for (const char letter : {'X', 'Y'}) {
+    if (block.has(letter) && block.value(letter) != 0)
+      control_.refuse("G43.2 with X or Y is not read; post without it");
+  }
+  if (block.has('H') == block.has('Z'))
+    control_.refuse("G43.2 asks for the number of a length H, or the length Z itself; give one of them");
+  control_.adds_length = true;
+  if (block.has('Z'))
+    return control_.frame.set_stated_length(control_.frame.stated_length() + control_.mm(block.value('Z')));
+  const std::string number = trimmed(block.value('H'), 0);
+  control_.condition("tool-length-g43.2", "the length H" + number + " that G43.2 adds is a wear of 0");
+}
+
 void PlaceWords::set_length(int code, const Block& block) {
+  if (code == 432) return add_length(block);
+  control_.adds_length = false;
   ToolLength length;
   if (code == 490) {
     length.kind = LengthKind::kOff;

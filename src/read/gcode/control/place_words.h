@@ -16,6 +16,8 @@ class PlaceWords {
   bool move_specially(const Block& block);
   void use_system(int code, const Block& block);
   void set_length(int code, const Block& block);
+  /// What turns or scales places ends, where the other word has begun it.
+  void end_map(int code, int made_by);
 
  private:
   bool uses_numbered_system(int code, const Block& block) const;
@@ -31,6 +33,11 @@ class PlaceWords {
   void shift(const Block& block);
   void clear_shift(int code);
   void rotate(const Block& block);
+  void refuse_second_map(int code) const;
+  void scale(const Block& block);
+  void set_scales(const Block& block, PlanMap& map);
+  double scale_of(char letter, const Block& block) const;
+  void add_length(const Block& block);
   void mirror(const Block& block, bool on);
 
   Control& control_;

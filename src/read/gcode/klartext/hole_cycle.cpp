@@ -10,8 +10,10 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "read/gcode/klartext/klartext.h"
 #include "read/gcode/klartext/words.h"
+#include "read/gcode/motion/arc.h"
 #include "read/gcode/motion/cycle.h"
 
 namespace clearcut::read::gcode {
@@ -20,6 +22,8 @@ namespace {
 constexpr double kMostPecks = 10000;
 /// mm/min; programs write this feed for FMAX, as long as the field takes no word.
 constexpr double kFeedAsRapid = 99999;
+/// mm; a hole of the tool's size is bored straight down.
+constexpr double kSameRadius = 1e-6;
 
 struct Form {
   int number;
@@ -30,10 +34,13 @@ const std::vector<Form>& forms() {
   static const std::vector<Form> all{
       {200, {200, 201, 202, 203, 204, 206}, {210, 211, 395}},
       {201, {200, 201, 203, 204, 206}, {208, 211}},
+      {202, {200, 201, 203, 204, 206, 214}, {208, 211, 336}},
       {203, {200, 201, 202, 203, 204, 206}, {205, 208, 210, 211, 212, 213, 256, 395}},
       {205, {200, 201, 202, 203, 204, 206}, {205, 208, 211, 212, 253, 256, 257, 258, 259, 379, 395}},
       {206, {200, 201, 203, 204, 206}, {211}},
-      {207, {200, 201, 203, 204, 239}, {}}};
+      {207, {200, 201, 203, 204, 239}, {}},
+      {208, {200, 201, 203, 204, 206, 334, 335}, {342, 351}},
+      {209, {200, 201, 203, 204, 239, 256, 257}, {336, 403}}};
   return all;
 }
 
@@ -59,8 +66,12 @@ class Maker {
       drill();
     } else if (cycle_.number == 205) {
       drill_deep();
+    } else if (cycle_.number == 208) {
+      mill();
+    } else if (is_tap()) {
+      tap();
     } else {
-      feed_down_and_up();
+      bore();
     }
     builder_.rapid(height(above_), line_);
   }
@@ -83,6 +94,8 @@ class Maker {
       refuse("makes pecks smaller and smaller (Q212) without a least one (Q205); correct it");
     if (value(257) < 0 || value(258) < 0 || value(259) < 0 || value(379) < 0)
       refuse("has a distance below 0; correct Q257, Q258, Q259 or Q379");
+    if (cycle_.number == 202 && value(214) != std::clamp(std::floor(value(214)), 0.0, 4.0))
+      refuse("leaves the wall to no side that Q214 numbers, 0 to 4; correct it");
     if (value(200) < 0 || value(204) < 0) refuse("has a clearance below 0; correct Q200 or Q204");
     const double surface = value(203) * unit_;
     clear_ = surface + value(200) * unit_;
@@ -153,13 +166,74 @@ class Maker {
     return value(212) > 0 && least > 0 ? std::min(peck, least) : peck;
   }
 
-  void feed_down_and_up() {
-    const MmPerMin down = cycle_.number == 207 ? feed_of_pitch() : feed_in();
+  /// The path of a boring bar stays in the middle: aside it goes by 0.2 mm, away from the wall that it has cut, while it stands.
+  void bore() {
+    feed(bottom_, feed_in());
+    dwell();
+    if (value(214) != 0) note_oriented_retract(builder_, line_, "by 0.2 mm to the side of Q214");
+    feed_out_of_hole();
+  }
+
+  bool is_tap() const { return cycle_.number == 206 || turning_of(cycle_) != 0; }
+
+  /// The feed and the turns are bound to each other, also on the way out, which Q403 makes faster.
+  void tap() {
+    const bool tied = cycle_.number != 206;
+    const double faster = value(403) > 0 ? value(403) : 1, speed = builder_.drive.spindle_rpm;
+    const MmPerMin down = tied ? feed_of_pitch() : feed_in();
+    const MmPerMin up = MmPerMin::of(down.mm_per_min() * faster);
+    const double each = value(257) * unit_, back = value(256) * std::abs(value(239)) * unit_;
+    if (each < 0 || (each > 0 && (clear_ - bottom_) / each > kMostPecks))
+      refuse("breaks chips too often; correct Q257");
+    const auto turn_back_to = [&](double z) {
+      builder_.turn_tap_back({std::nullopt, tied, false}, line_);
+      builder_.drive.spindle_rpm = speed * faster;
+      feed(z, up);
+      builder_.drive.spindle_rpm = speed;
+    };
+    for (double at = value(203) * unit_ - each; each > 0 && at > bottom_; at -= each) {
+      feed(at, down);
+      turn_back_to(back > 0 ? std::min(clear_, at + back) : clear_);
+    }
     feed(bottom_, down);
     dwell();
-    if (cycle_.number == 201) return feed_out_of_hole();
-    builder_.turn_tap_back({std::nullopt, cycle_.number == 207, false}, line_);
-    feed(clear_, down);
+    turn_back_to(clear_);
+  }
+
+  /// Down a helix from the set-up clearance, once round at the bottom, and back to the middle. How the control comes to the helix and leaves it
+  /// is its own choice; here by half circles, which lie within what the helix clears.
+  void mill() {
+    const double from_middle = value(335) / 2 * unit_ - cycle_.tool_radius;
+    const std::string tool = "the tool, whose radius is " + trimmed(cycle_.tool_radius, 4) + " mm";
+    if (from_middle < -kSameRadius)
+      refuse("mills a hole that is smaller than " + tool + "; the control stops");
+    if (from_middle <= kSameRadius) {
+      feed(bottom_, feed_in());
+      return;
+    }
+    if (from_middle > cycle_.tool_radius && value(342) <= 0)
+      refuse("mills a hole more than twice as wide as " + tool +
+             ", and Q342 states none that is there already; the control stops");
+    const double deep = value(334) * unit_;
+    if (!(deep > 0) || (clear_ - bottom_) / deep > kMostPecks)
+      refuse("needs a depth of one turn Q334 of a sensible size; correct it");
+    const Vec2 middle{builder_.known(0, line_), builder_.known(1, line_)};
+    const Turn turn = value(351) < 0 ? Turn::kClockwise : Turn::kCounterClockwise;
+    const double side = turn == Turn::kCounterClockwise ? 1 : -1, turns = (clear_ - bottom_) / deep;
+    const Vec2 arm{from_middle, 0}, low = middle + rotated(arm, side * 2 * kPi * turns);
+    along({middle, middle + arm, middle + arm / 2, turn, kPi}, clear_);
+    along({middle + arm, low, middle, turn, 2 * kPi * turns}, bottom_);
+    along({low, low, middle, turn, 2 * kPi}, bottom_);
+    along({low, middle, (low + middle) / 2, turn, kPi}, bottom_);
+  }
+
+  void along(const ArcShape& shape, double z_to) {
+    const std::vector<Edge> edges = arc_edges(shape);
+    const double z_from = builder_.known(2, line_);
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+      const double t = static_cast<double>(k + 1) / static_cast<double>(edges.size());
+      builder_.arc(edges[k], std::lerp(z_from, z_to, t), feed_in(), line_);
+    }
   }
 
   /// Where MAX is asked for it goes up at the rapid alone.
@@ -216,8 +290,12 @@ bool is_hole_cycle(int number) {
   return form_of(number) != nullptr;
 }
 
+bool needs_radius(const HoleCycle& cycle) {
+  return cycle.number == 208;
+}
+
 int turning_of(const HoleCycle& cycle) {
-  if (cycle.number != 207) return 0;
+  if (cycle.number != 207 && cycle.number != 209) return 0;
   const auto pitch = cycle.parameters.find(239);
   return pitch != cycle.parameters.end() && pitch->second < 0 ? 4 : 3;
 }

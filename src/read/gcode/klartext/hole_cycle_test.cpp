@@ -119,6 +119,68 @@ TEST(HoleCycle, RigidTapsAreTiedToTheSpindle) {
   EXPECT_TRUE(turns_left);
 }
 
+TEST(HoleCycle, ABoringBarComesOutInTheMiddle) {
+  const std::string cycle =
+      "7 CYCL DEF 202 BORING Q200=+2 Q201=-8 Q206=+100 Q211=+0 Q208=+250 Q203=+0 Q204=+13 Q214=+";
+  EXPECT_EQ(after_start(cycle + "0 Q336=+0\n8 CYCL CALL\n"),
+            "\nrapid to 10 20 2\nplunge to 10 20 -8 F100\nretract to 10 20 2 F250\nrapid to 10 20 13");
+  EXPECT_THAT(conditions(program(cycle + "1 Q336=+90\n8 CYCL CALL\n")), HasSubstr("oriented-retract"));
+  EXPECT_THAT(message_of(program(cycle + "5\n8 CYCL CALL\n")), HasSubstr("to no side that Q214 numbers"));
+}
+
+/// 12 deep from the set-up clearance in turns of 4, about a tool of radius 3 in a hole of 10: three times round, once at the bottom.
+TEST(HoleCycle, BoreMillingRunsDownAHelix) {
+  ReadControllerOptions options;
+  options.compensation.radii[1] = 3;
+  const auto cycle = [](const std::string& more) {
+    return "7 CYCL DEF 208 BORE MILLING Q200=+2 Q201=-10 Q206=+400 Q334=+4 Q203=+0 Q204=+13 " + more +
+           "\n8 CYCL CALL\n";
+  };
+  const auto milled = [&](const std::string& more) {
+    std::string text;
+    const Program read = read_gcode(program(cycle(more)), "test.ngc", options);
+    for (const Section& section : read.toolpath.sections)
+      for (const Move& move : section.moves)
+        if (move.path.is_arc() || move.kind == MoveKind::kPlunge) text += told(move) + "\n";
+    return text;
+  };
+  const std::string ccw = milled("Q335=+10 Q342=+0 Q351=+1");
+  EXPECT_THAT(ccw, HasSubstr("to 12 20 2 ccw about 11 20 F400"));
+  EXPECT_THAT(ccw, HasSubstr("ramp to 10 18 -1 ccw about 10 20 F400\nramp to 8 20 -4 ccw"));
+  EXPECT_THAT(ccw, HasSubstr("to 12 20 -10 ccw about 10 20 F400"));
+  EXPECT_THAT(ccw, HasSubstr("to 8 20 -10 ccw about 10 20 F400"));
+  EXPECT_THAT(ccw, HasSubstr("to 10 20 -10 ccw about 11 20 F400"));
+  EXPECT_THAT(milled("Q335=+10 Q342=+0 Q351=-1"),
+              HasSubstr("ramp to 10 22 -1 cw about 10 20 F400\nramp to 8 20 -4 cw"));
+  EXPECT_EQ(milled("Q335=+6"), "plunge to 10 20 -10 F400\n") << "of the tool's size";
+  const auto refused = [&](const std::string& more) {
+    try {
+      read_gcode(program(cycle(more)), "test.ngc", options);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("read");
+  };
+  EXPECT_THAT(refused("Q335=+5"), HasSubstr("smaller than the tool"));
+  EXPECT_THAT(refused("Q335=+13"), HasSubstr("more than twice as wide"));
+  EXPECT_EQ(refused("Q335=+13 Q342=+9"), "read");
+  EXPECT_THAT(message_of(program(cycle("Q335=+10"))), HasSubstr("no tool T1 is given"));
+}
+
+TEST(HoleCycle, TapsBreakTheirChipsAndComeOutFaster) {
+  const auto tapped = [](const std::string& more) {
+    return after_start("7 CYCL DEF 209 TAPPING W/ CHIP BRKG " + kTap + " Q239=+1 " + more +
+                       "\n8 CYCL CALL\n");
+  };
+  EXPECT_EQ(
+      tapped("Q257=+5 Q256=+2"),
+      "\nrapid to 10 20 2\nplunge to 10 20 -5 F400\nretract to 10 20 -3 F400\nplunge to 10 20 -10 F400"
+      "\nretract to 10 20 -8 F400\nplunge to 10 20 -12 F400\nretract to 10 20 2 F400\nrapid to 10 20 20");
+  EXPECT_EQ(tapped("Q257=+8 Q256=+0 Q336=+0 Q403=+2"),
+            "\nrapid to 10 20 2\nplunge to 10 20 -8 F400\nretract to 10 20 2 F800\nplunge to 10 20 -12 F400"
+            "\nretract to 10 20 2 F800\nrapid to 10 20 20");
+}
+
 TEST(HoleCycle, WhatCannotBeIsRefusedInOneLine) {
   const auto refusal = [](const std::string& blocks) { return message_of(program(blocks)); };
   EXPECT_THAT(refusal("7 CYCL CALL\n"), HasSubstr("called before one is defined"));
@@ -132,8 +194,8 @@ TEST(HoleCycle, WhatCannotBeIsRefusedInOneLine) {
   EXPECT_THAT(refusal(drilling("+Q5") + "8 CYCL CALL\n"), HasSubstr("Q5 is read before the program sets it"));
   EXPECT_THAT(refusal("7 CYCL DEF 201 REAMING Q200=1 Q201=+9 Q206=120 Q203=0 Q204=20\n8 CYCL CALL\n"),
               HasSubstr("negative depth"));
-  EXPECT_THAT(refusal("7 CYCL DEF 208 BORE MILLING Q200=1\n8 CYCL CALL\n"),
-              HasSubstr("cycle 208 is not read"));
+  EXPECT_THAT(refusal("7 CYCL DEF 204 BACK BORING Q200=1\n8 CYCL CALL\n"),
+              HasSubstr("cycle 204 bores from below"));
 }
 
 }  // namespace

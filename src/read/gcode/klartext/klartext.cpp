@@ -108,6 +108,7 @@ class Reader {
 
   void compensate(PathWords::Radius wanted);
   void refuse_other_radius(double radius) const;
+  double radius_of_tool() const;
   ToolOffset offset_by(PathWords::Radius wanted) const;
   void begin_offset(const ToolOffset& offset);
   void end_offset();
@@ -525,6 +526,7 @@ void Reader::call_hole() {
   HoleCycle hole = *hole_;
   if (const auto surface = hole.parameters.find(kSurface); surface != hole.parameters.end())
     surface->second += datum_[2] / unit_;
+  if (needs_radius(hole)) hole.tool_radius = radius_of_tool();
   make_hole(hole, unit_, builder_, line_);
   if (turns != 0) m_word(5);
 }
@@ -618,7 +620,10 @@ void Reader::cycle(const std::vector<std::string>& words) {
   if (words.size() >= 3 && words[1] == "DEF" && cycle == "7") return shift_datum(words, 3);
   if (words.size() >= 3 && words[1] == "DEF" && cycle == "10") return turn_about_datum(words);
   if (words.size() < 3 || words[1] != "DEF" || (cycle != "9" && cycle != "32" && cycle != "247")) {
-    refuse("cycle " + cycle.substr(0, 20) + " is not read; post its moves one by one");
+    refuse("cycle " + cycle.substr(0, 20) +
+           (cycle == "204" ? " bores from below, where its tool comes past the hole's wall aside and turned, "
+                             "which is not read; check that hole apart"
+                           : " is not read; post its moves one by one"));
   }
   if (number_word == "9.1") {
     const std::size_t digits =
@@ -761,11 +766,16 @@ void Reader::refuse_other_radius(double radius) const {
          ", and radius compensation is checked with " + trimmed(radius, 4) + " mm; correct one of them");
 }
 
-Reader::ToolOffset Reader::offset_by(PathWords::Radius wanted) const {
+/// mm; of the table, larger by DR.
+double Reader::radius_of_tool() const {
   const int tool = builder_.drive.tool;
   const double of_table = compensation_of(compensation_, builder_, tool, tool, "the tool table", line_);
   refuse_other_radius(of_table);
-  const double radius = of_table + wider_;
+  return of_table + wider_;
+}
+
+Reader::ToolOffset Reader::offset_by(PathWords::Radius wanted) const {
+  const double radius = radius_of_tool();
   const bool is_left = (wanted == PathWords::Radius::kLeft) != (radius < 0);
   return {is_left ? CompensationSide::kLeft : CompensationSide::kRight, std::abs(radius)};
 }

@@ -1,5 +1,5 @@
-// Heidenhain conversational programs, and Heidenhain's cycles 200 (drilling), 201 (reaming), 203 (universal
-// drilling), 206 (tapping in a floating holder) and 207 (rigid tapping), made into moves.
+// Heidenhain conversational programs, and Heidenhain's cycles 200 (drilling), 201 (reaming), 202 (boring), 203 (universal drilling), 205 (deep
+// holes), 206 (tapping in a floating holder), 207 and 209 (rigid tapping, with broken chips) and 208 (bore milling), made into moves.
 #pragma once
 
 #include <map>
@@ -15,10 +15,14 @@ namespace clearcut::read::gcode {
 
 struct HoleCycle {
   int number = 0;
-  std::map<int, double> parameters;  ///< Q200 to Q395, as they are written; infinite for MAX
+  std::map<int, double> parameters;  ///< Q200 to Q403, as they are written; infinite for MAX
+  double tool_radius = 0;            ///< mm, where needs_radius()
 };
 
 bool is_hole_cycle(int number);
+
+/// Whether the cycle runs beside its wall by the tool's radius.
+bool needs_radius(const HoleCycle& cycle);
 
 /// 3 or 4 as in M3, M4 for rigid tapping, which turns the spindle by itself and leaves it stopped; else 0.
 int turning_of(const HoleCycle& cycle);

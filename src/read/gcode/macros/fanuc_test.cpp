@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "read/gcode/macros/macro_line.h"
 #include "read/gcode/test_told_program.h"
 
@@ -74,6 +76,73 @@ TEST(FanucMacros, RotationMirrorAndPolarPlaces) {
 TEST(FanucMacros, MirroredArcsTurnTheOtherWay) {
   const std::string text = kHead + "G51.1 X0.\nG1 X10. Y0.\nG3 X0. Y10. I-10. J0.\nM30\n%\n";
   EXPECT_THAT(moves_as(Dialect::kFanuc, text), HasSubstr("cut to 0 10 5 cw about 0 0"));
+}
+
+/// G51 scales about the place that it states, or about where the axis is; G50 ends it.
+TEST(FanucMacros, ScalesPlacesArcsAndHeights) {
+  EXPECT_EQ(ends("G51 X10. Y0. I2000 J2000\nG1 X20. Y5.\nG91 X1.\nG90 G50\nX3.\nM30\n%\n"),
+            "|30 10|32 10|3 10");
+  EXPECT_EQ(ends_as(Dialect::kHaas, kHead + "G51 X10. Y0. Z0. P2\nG1 X20. Y5.\nG50\nX3.\nM30\n%\n"),
+            "|30 10|3 10");
+  EXPECT_EQ(ends_as(Dialect::kMach3,
+                    "G21 G17 G90 G61 G91.1\nG0 X0 Y0\nZ5\nF100\nG51 X2 Y3\nG1 X2 Y1\nG50\nX3\nM30\n"),
+            "|4 3|3 3");
+  const std::string arc =
+      "G51 X0. Y0. Z5. P0.5\nG1 X10. Y0. Z3.\nG3 X0. Y10. I-10. J0.\nX-10. Y0. R10.\nM30\n%\n";
+  EXPECT_THAT(moves_as(Dialect::kHaas, kHead + arc),
+              HasSubstr("cut to 0 5 4 ccw about 0 0 F100\ncut to -5 0 4 ccw about 0 0 F100"));
+  EXPECT_THAT(names_of(read_as(Dialect::kFanuc, kHead + "G51 X0. Y0. P2000\nG1 X1.\nM30\n%\n")),
+              HasSubstr("scaling@7"));
+  EXPECT_THAT(
+      moves_as(Dialect::kFanuc, kHead + "G51 X0. Y0. I-1. J1.\nG1 X10. Y0.\nG3 X0. Y10. I-10. J0.\nM30\n%\n"),
+      HasSubstr("cut to 0 10 5 cw about 0 0"));
+}
+
+TEST(FanucMacros, ScalingIsRefusedWhereItMeansNothingSure) {
+  const auto refused = [](const std::string& text) { return refusal_as(Dialect::kFanuc, kHead + text); };
+  EXPECT_THAT(refused("G51 X0. Y0.\nM30\n"), HasSubstr("without its factor P"));
+  EXPECT_THAT(refused("G51 X0. Y0. P0\nM30\n"), HasSubstr("impossible factor P"));
+  EXPECT_THAT(refused("G68 X0. Y0. R30.\nG51 X0. Y0. P2.\nM30\n"), HasSubstr("G51 while G68 is in force"));
+  EXPECT_THAT(refused("G51 X0. Y0. P2.\nG68 X0. Y0. R30.\nM30\n"), HasSubstr("G68 while G51 is in force"));
+  EXPECT_THAT(refused("G51 X0. Y0. P2.\nG81 X1. Z-2. R1.\nM30\n"), HasSubstr("G51 scales heights"));
+  EXPECT_THAT(refused("G51 X0. Y0. I2. J3.\nG2 X5. Y5. I5. J0.\nM30\n"),
+              HasSubstr("scales X and Y differently"));
+  EXPECT_THAT(refusal_as(Dialect::kMach4, "G21 G90\nG0 X1\nG51 P2\nM30\n"), HasSubstr("G51 is not read"));
+  EXPECT_THAT(refusal_as(Dialect::kLinuxCnc, "G21 G90\nG0 X1\nG51 P2\nM2\n"),
+              HasSubstr("G51 is no word of linuxcnc"));
+  EXPECT_EQ(ends("G51.1 X0.\nG69\nG1 X1.\nM30\n%\n"), "|-1 0") << "G69 ends rotations alone";
+}
+
+/// The bar goes aside before it comes out, or the operator takes it out: the path is that of the hole.
+TEST(FanucMacros, BoringCyclesComeOutAsTheyAreSaidTo) {
+  const std::string hole = "X10. Z-12. R2. Q0.2 F100.\nG80\nM30\n%\n";
+  const std::string bored = "\nrapid to 10 0 5\nrapid to 10 0 2\nplunge to 10 0 -12 F100\nrapid to 10 0 5";
+  for (const Dialect dialect : {Dialect::kFanuc, Dialect::kHaas, Dialect::kMazak}) {
+    SCOPED_TRACE(name_of(dialect));
+    const std::string fine = kHead + "G98 G76 " + hole, by_hand = kHead + "G98 G88 " + hole;
+    EXPECT_THAT(moves_as(dialect, fine), HasSubstr(bored));
+    EXPECT_THAT(conditions_as(dialect, fine), HasSubstr("oriented-retract@7"));
+    EXPECT_THAT(moves_as(dialect, by_hand), HasSubstr(bored));
+    EXPECT_THAT(conditions_as(dialect, by_hand), HasSubstr("manual-retract@7"));
+  }
+  EXPECT_THAT(refusal_as(Dialect::kFanuc, kHead + "G87 " + hole), HasSubstr("G87 bores from below"));
+  EXPECT_THAT(refusal_as(Dialect::kHaas, kHead + "G77 " + hole), HasSubstr("G77 bores from below"));
+  EXPECT_THAT(conditions_as(Dialect::kHaas, kHead + "G98 G87 " + hole), HasSubstr("manual-retract@7"));
+  EXPECT_THAT(refusal_as(Dialect::kLinuxCnc, "G21 G90\nG0 X0 Y0\nZ5\nG88 X1 Z-2 R1 P1\nM2\n"),
+              HasSubstr("G88 does nothing that LinuxCNC states"));
+}
+
+TEST(FanucMacros, PeckTappingTurnsBackAtEachDepth) {
+  const std::string text = kHead + "M29 S500\nG98 G84 X10. Z-6. R2. Q4. F500.\nG80\nM30\n%\n";
+  EXPECT_THAT(
+      moves_as(Dialect::kFanuc, text),
+      HasSubstr(
+          "plunge to 10 0 -2 F500\nretract to 10 0 2 F500\nplunge to 10 0 -6 F500\nretract to 10 0 2 F500"));
+  const Program read = read_as(Dialect::kFanuc, text);
+  EXPECT_EQ(
+      std::count_if(read.control.events.begin(), read.control.events.end(),
+                    [](const ControlEvent& event) { return event.kind == ControlEventKind::kTapTurnsBack; }),
+      2);
 }
 
 TEST(FanucMacros, ReturnsToAStatedBlock) {

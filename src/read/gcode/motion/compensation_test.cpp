@@ -166,10 +166,29 @@ TEST(Compensation, HaasMillsACircleFromItsCentre) {
   EXPECT_THAT(told_of(read_with_tools(Dialect::kHaas, kStart + "G12 I8. F50.\nG0 Z9.\nM30\n")),
               HasSubstr("cut to 8 0 -1 cw about 4 0 F50"));
   EXPECT_THAT(refusal(Dialect::kHaas, kStart + "G13 I3. D1\nM30\n"), HasSubstr("not larger than the tool"));
-  EXPECT_THAT(refusal(Dialect::kHaas, kStart + "G13 I3. K9. Q1. D1\nM30\n"),
-              HasSubstr("K, Q or L is not read"));
+  EXPECT_THAT(refusal(Dialect::kHaas, kStart + "G13 I4. K9. D1\nM30\n"), HasSubstr("one of K and Q"));
+  EXPECT_THAT(refusal(Dialect::kHaas, kStart + "G13 I4. K3.5 Q1. D1\nM30\n"),
+              HasSubstr("smaller than its first one"));
+  EXPECT_THAT(refusal(Dialect::kHaas, kStart + "G13 I4. K9. Q0 D1\nM30\n"), HasSubstr("step Q"));
+  EXPECT_THAT(refusal(Dialect::kHaas, kStart + "G13 I4. L1.5\nM30\n"), HasSubstr("number of depths L"));
   EXPECT_THAT(refusal(Dialect::kFanuc, kStart + "G13 I3.\nM30\n"), HasSubstr("G13 is not read"));
   EXPECT_THAT(refusal(Dialect::kHaas, kStart + "G150 P1\nM30\n"), HasSubstr("G150 is not read"));
+}
+
+TEST(Compensation, HaasMillsCirclesOutwardsAndDeeper) {
+  EXPECT_EQ(told_of(read_with_tools(Dialect::kHaas,
+                                    kStart + "G91 G13 I4. K8. Q2.5 D1 Z-1. L2 F50.\nG90 G0 Z9.\nM30\n")),
+            [] {
+              std::string both;
+              for (const std::string z : {"-2", "-3"})
+                both += (both.empty() ? "" : "\n") + ("plunge to 0 0 " + z + " F50\ncut to 1 0 ") + z +
+                        " ccw about 0.5 0 F50\ncut to -1 0 " + z + " ccw about 0 0 F50\ncut to 1 0 " + z +
+                        " ccw about 0 0 F50\ncut to 3.5 0 " + z + " F50\ncut to -3.5 0 " + z +
+                        " ccw about 0 0 F50\ncut to 3.5 0 " + z + " ccw about 0 0 F50\ncut to 5 0 " + z +
+                        " F50\ncut to -5 0 " + z + " ccw about 0 0 F50\ncut to 5 0 " + z +
+                        " ccw about 0 0 F50\ncut to 0 0 " + z + " ccw about 2.5 0 F50";
+              return both;
+            }());
 }
 
 TEST(Compensation, WhatDHoldsIsACondition) {

@@ -36,6 +36,12 @@ void add_dwell_in_hole(ToolpathBuilder& builder, int line, double seconds) {
   if (seconds > kLongestDwellInHole) note_long_dwell(builder, line, seconds);
 }
 
+void note_oriented_retract(ToolpathBuilder& builder, int line, const std::string& aside) {
+  builder.condition("oriented-retract", line,
+                    "the boring bar stops turned and goes aside, " + aside +
+                        ", before it comes out: away from the wall that it has cut, with room behind it");
+}
+
 namespace {
 
 constexpr double kMostPecks = 10000;
@@ -58,6 +64,19 @@ void peck_down(ToolpathBuilder& builder, const Hole& hole, MmPerMin feed, int li
   builder.feed(place_along(hole, hole.bottom), feed, line);
 }
 
+/// Whether the tap comes out all the way for its chips, as here, or goes back by a setting, it cuts the same.
+void tap_down(ToolpathBuilder& builder, const Hole& hole, MmPerMin feed, int line) {
+  const double each = hole.taps_peck ? hole.peck : 0;
+  if (each < 0 || (each > 0 && (hole.r - hole.bottom) / each > kMostPecks))
+    throw InputError(builder.place(line), "peck tapping needs a Q word of a sensible size; correct it");
+  for (double depth = hole.r - each; each > 0 && depth > hole.bottom; depth -= each) {
+    builder.feed(place_along(hole, depth), feed, line);
+    builder.turn_tap_back(hole.tap, line);
+    builder.feed(place_along(hole, hole.r), feed, line);
+  }
+  builder.feed(place_along(hole, hole.bottom), feed, line);
+}
+
 }  // namespace
 
 void CycleWords::scale(double factor) {
@@ -72,14 +91,23 @@ bool is_drill_cycle(int code) {
 }
 
 void drill(ToolpathBuilder& builder, const Hole& hole, MmPerMin feed, int line) {
+  const bool taps = hole.code == 740 || hole.code == 840;
   if (hole.code == 730 || hole.code == 830) {
     peck_down(builder, hole, feed, line);
+  } else if (taps) {
+    tap_down(builder, hole, feed, line);
   } else {
     builder.feed(place_along(hole, hole.bottom), feed, line);
   }
   if (hole.dwell > 0) add_dwell_in_hole(builder, line, hole.dwell);
-  if (hole.code == 740 || hole.code == 840) builder.turn_tap_back(hole.tap, line);
-  const bool feeds_out = hole.code == 740 || hole.code == 840 || hole.code == 890;
+  if (taps) builder.turn_tap_back(hole.tap, line);
+  if (hole.hands_take_it_out) {
+    builder.add_event(ControlEventKind::kPause, line);
+    builder.condition(
+        "manual-retract", line,
+        "the control stops at the bottom of the hole, and the operator takes the tool straight up out of it");
+  }
+  const bool feeds_out = taps || hole.code == 890;
   if (feeds_out || hole.code == 850) {
     const bool all = feeds_out && hole.feeds_out_to_clear;
     builder.feed(place_along(hole, all ? hole.clear : hole.r), feed, line);

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 
 #include "read/gcode/motion/builder.h"
 
@@ -13,6 +14,9 @@ void add_dwell(ToolpathBuilder& builder, int line, double written, bool in_ms);
 
 /// A wait at the bottom of a hole.
 void add_dwell_in_hole(ToolpathBuilder& builder, int line, double seconds);
+
+/// A boring bar stops turned at the bottom and goes aside before it comes out; `aside`: how far and where, in words.
+void note_oriented_retract(ToolpathBuilder& builder, int line, const std::string& aside);
 
 /// The words that hold during a run of cycle blocks, mm, as they were written.
 struct CycleWords {
@@ -37,10 +41,12 @@ struct Hole {
   double gap = 0.254;  ///< above the last depth, where feeding begins again
   double dwell = 0;    ///< s, at the bottom
   bool feeds_out_to_clear = false;
-  TapCycle tap = {};  ///< of G74 and G84
+  TapCycle tap = {};               ///< of G74 and G84
+  bool taps_peck = false;          ///< of those, by `peck`
+  bool hands_take_it_out = false;  ///< at the bottom the control waits for the operator
 };
 
-/// True for the cycles drill() knows: G73, G74, G81 to G86, G89.
+/// True for the cycles that all controls with cycles have: G73, G74, G81 to G86, G89. drill() makes the holes of G76, G87 and G88, too.
 bool is_drill_cycle(int code);
 
 /// From the retract plane down to the bottom as the cycle says, and back to hole.clear. Throws InputError for pecks of

@@ -21,7 +21,7 @@ constexpr int kGrblWords[] = {0,   10,  20,  30,  40,  100, 170, 180, 190, 200, 
 constexpr int kGrblMiscellaneous[] = {0, 10, 20, 30, 40, 50, 70, 80, 90, 300, 560, 990};
 
 // Exact stop once, and the ends of modes that LinuxCNC does not have: it stops there.
-constexpr int kMissingOnLinuxCnc[] = {90, 150, 500, 690};
+constexpr int kMissingOnLinuxCnc[] = {90, 150, 500, 510, 690};
 
 // LinuxCNC, "M-Codes" of its manual.
 constexpr int kLinuxCncMiscellaneous[] = {0,   10,  20,  30,  40,  50,  60,  70,  80,  90,  190,
@@ -65,6 +65,7 @@ constexpr DialectRules mach_rules(Dialect dialect, std::string_view name, std::s
                  kExactStopBesidePath | kAbsoluteCenters | kCompensation;
   rules.compensation = kOfInterpreter;
   rules.m.missing = kSpindleAndFlood;
+  rules.boring = BoringWords::kManualOut;
   rules.centers_set_up = true;
   rules.has_old_units = true;
   return rules;
@@ -72,6 +73,7 @@ constexpr DialectRules mach_rules(Dialect dialect, std::string_view name, std::s
 
 constexpr DialectRules mach3_rules() {
   DialectRules rules = mach_rules(Dialect::kMach3, "mach3", "Mach3");
+  rules.scaling = ScalingWords::kAxes;
   rules.numbered_offsets = 254;
   rules.offset_with_number = 590;
   return rules;
@@ -158,6 +160,9 @@ constexpr std::array kRules{
         .lengths_by_number = true,
         .cycle_goes_over_below_r = true,
         .taps = TapRule::kTiedByM29,
+        .taps_peck = true,
+        .boring = BoringWords::kFanuc,
+        .scaling = ScalingWords::kThousandths,
         .radius_beats_center = true,
         .home_is_top = true,
         .no_home_in_cycle = true,
@@ -187,6 +192,8 @@ constexpr std::array kRules{
                  .lengths_by_number = true,
                  .cycle_goes_over_below_r = true,
                  .taps = TapRule::kTied,
+                 .boring = BoringWords::kHaas,
+                 .scaling = ScalingWords::kFactor,
                  .radius_beats_center = true,
                  .home_is_top = true,
                  .resets_modes = true,
@@ -256,6 +263,7 @@ constexpr std::array kRules{
                  .stray_words = StrayWords::kCorners,
                  .lengths_by_number = true,
                  .cycle_goes_over_below_r = true,
+                 .boring = BoringWords::kFanuc,
                  .radius_beats_center = true,
                  .home_is_top = true,
                  .no_home_in_cycle = true,
@@ -293,7 +301,7 @@ constexpr SpecialWords kSpecialWords[] = {{730, 730, kDrillCycles},
                                           {740, 799, kDrillCycles},
                                           {801, 890, kDrillCycles},
                                           {430, 430, kToolLengths},
-                                          {431, 431, kStatedLengths},
+                                          {431, 432, kStatedLengths},
                                           {1540, 1540, kHaasWords},
                                           {1870, 1870, kHaasWords},
                                           {1030, 1030, kHaasWords},
@@ -360,6 +368,24 @@ bool knows_g(const DialectRules& rules, int code) {
   for (const SpecialWords& words : kSpecialWords)
     if (words.first <= code && code <= words.last) return (rules.g.sets & words.set) != 0;
   return true;
+}
+
+bool is_boring_cycle(const DialectRules& rules, int code) {
+  switch (code) {
+    case 760:
+      return rules.boring == BoringWords::kFanuc || rules.boring == BoringWords::kHaas;
+    case 870:
+      return rules.boring == BoringWords::kHaas;
+    case 880:
+      return rules.boring != BoringWords::kNone;
+    default:
+      return false;
+  }
+}
+
+bool bores_from_below(const DialectRules& rules, int code) {
+  return (code == 770 && rules.boring == BoringWords::kHaas) ||
+         (code == 870 && (rules.boring == BoringWords::kFanuc || rules.boring == BoringWords::kManualOut));
 }
 
 bool knows_m(const DialectRules& rules, int code) {

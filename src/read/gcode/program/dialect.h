@@ -59,6 +59,22 @@ enum class TapRule : unsigned char {
   kTied        ///< the control turns the spindle and ties the feed to it
 };
 
+/// How a control bores by G76, G87 and G88.
+enum class BoringWords : unsigned char {
+  kNone,       ///< by none of them; LinuxCNC takes G87 and G88 and leaves open what they do
+  kManualOut,  ///< G88 stops at the bottom, and the operator takes the tool out
+  kFanuc,      ///< and G76 turns the bar and goes aside before it comes out; G87 bores from below
+  kHaas        ///< as Fanuc's, but G87 is as G88, and G77 bores from below
+};
+
+/// What the numbers beside G51 are.
+enum class ScalingWords : unsigned char {
+  kNone,         ///< none that is read
+  kThousandths,  ///< centre X Y Z and factor P, or I J K for the axes one by one; whole numbers are thousandths
+  kFactor,       ///< centre X Y Z and factor P
+  kAxes          ///< X Y Z are the factors themselves, about the zero
+};
+
 /// Which words a control stops at where no other word of their block uses them.
 enum class StrayWords : unsigned char {
   kIgnored,
@@ -69,9 +85,9 @@ enum class StrayWords : unsigned char {
 
 /// G words that only some controls have, by what they are for. A row adds those that its control has.
 enum GWordSet : unsigned {
-  kDrillCycles = 1U << 0U,          ///< G73, G74, G76, G81 to G89
+  kDrillCycles = 1U << 0U,          ///< G73, G74, G76, G77, G81 to G89
   kToolLengths = 1U << 1U,          ///< G43
-  kStatedLengths = 1U << 2U,        ///< G43.1
+  kStatedLengths = 1U << 2U,        ///< G43.1, G43.2
   kHaasWords = 1U << 3U,            ///< G110 to G129, G154, G187
   kOffsetsByNumber = 1U << 4U,      ///< G54.1
   kFractionalOffsets = 1U << 5U,    ///< G59.1 to G59.3
@@ -139,6 +155,9 @@ struct DialectRules {
   bool cycle_needs_dwell = false;        ///< G82, G86, G88 and G89 stop the control without their P word
   bool feeds_out_to_clear = false;       ///< G89, G74, G84 feed up to the clear height, not to R
   TapRule taps = TapRule::kAsItTurns;
+  bool taps_peck = false;  ///< Q of G74 and G84 breaks chips
+  BoringWords boring = BoringWords::kNone;
+  ScalingWords scaling = ScalingWords::kNone;
   bool keeps_cycle_words = true;  ///< Z, R and Q hold from one cycle word to another
   bool rereads_cycle_numbers =
       false;                         ///< G20, G21 within a cycle: the numbers it holds count in the new units
@@ -184,6 +203,10 @@ const DialectRules& rules_of(Dialect dialect);
 Dialect dialect_of(Language language);
 /// All whose programs are words of one letter each.
 std::vector<Dialect> word_address_dialects();
+/// G76, G87 and G88 where the control bores by them; codes in tenths.
+bool is_boring_cycle(const DialectRules& rules, int code);
+/// G77 or G87, where the control bores from below by it.
+bool bores_from_below(const DialectRules& rules, int code);
 /// Whether the control has the G word; codes in tenths. True for words that are nobody's business here.
 bool knows_g(const DialectRules& rules, int code);
 /// The same of M words. Where it is false a control stops, does nothing or something that is no business of milling.

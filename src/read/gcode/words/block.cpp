@@ -236,8 +236,8 @@ namespace {
 constexpr std::size_t kCodes = 2000;  // up to G199.9
 
 // The drilling cycles, and those motions that are refused when used: threading, probing, boring, back boring.
-constexpr int kMotionWords[] = {0,   10,  20,  30,  330, 331, 382, 383, 384, 385, 730,
-                                740, 760, 810, 820, 830, 840, 850, 860, 870, 880, 890};
+constexpr int kMotionWords[] = {0,   10,  20,  30,  330, 331, 382, 383, 384, 385, 730, 740,
+                                760, 770, 810, 820, 830, 840, 850, 860, 870, 880, 890};
 constexpr int kPlaneWords[] = {170, 180, 190};
 constexpr int kDistanceWords[] = {900, 910};
 constexpr int kCenterWords[] = {901, 911};
@@ -247,12 +247,13 @@ constexpr int kReturnWords[] = {980, 990};
 constexpr int kOffsetWords[] = {540,  541,  1540, 550,  560,  570,  580,  590,  591,  592,  593,
                                 1100, 1110, 1120, 1130, 1140, 1150, 1160, 1170, 1180, 1190, 1200,
                                 1210, 1220, 1230, 1240, 1250, 1260, 1270, 1280, 1290};
-constexpr int kOnceWords[] = {100, 120, 130, 280, 281, 300, 301, 310, 501, 511, 520, 680, 920, 921, 922, 923};
+constexpr int kOnceWords[] = {100, 120, 130, 280, 281, 300, 301, 310, 501,
+                              510, 511, 520, 680, 920, 921, 922, 923};
 constexpr int kCompensationWords[] = {410, 411, 420, 421};
 // Dwell, look-ahead, exact stop, polar and scaling and rotation off, lengths, machine frame (G53, see
 // go_home), path control, cycle end, rpm, limit of look-ahead, smoothness.
-constexpr int kSilentWords[] = {40,  80,  90,  150, 160, 400, 430, 431,  490, 500,
-                                530, 610, 611, 640, 690, 800, 970, 1030, 1870};
+constexpr int kSilentWords[] = {40,  80,  90,  150, 160, 400, 430, 431, 432,  490,
+                                500, 530, 610, 611, 640, 690, 800, 970, 1030, 1870};
 
 template <std::size_t n>
 constexpr void enter(std::array<Group, kCodes>& table, const int (&codes)[n], Group group) {
