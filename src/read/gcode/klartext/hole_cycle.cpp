@@ -187,9 +187,9 @@ class Maker {
       refuse("breaks chips too often; correct Q257");
     const auto turn_back_to = [&](double z) {
       builder_.turn_tap_back({std::nullopt, tied, false}, line_);
-      builder_.drive.spindle_rpm = speed * faster;
+      builder_.speed = builder_.drive.spindle_rpm = speed * faster;
       feed(z, up);
-      builder_.drive.spindle_rpm = speed;
+      builder_.speed = builder_.drive.spindle_rpm = speed;
     };
     for (double at = value(203) * unit_ - each; each > 0 && at > bottom_; at -= each) {
       feed(at, down);

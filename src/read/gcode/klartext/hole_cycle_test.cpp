@@ -179,6 +179,11 @@ TEST(HoleCycle, TapsBreakTheirChipsAndComeOutFaster) {
   EXPECT_EQ(tapped("Q257=+8 Q256=+0 Q336=+0 Q403=+2"),
             "\nrapid to 10 20 2\nplunge to 10 20 -8 F400\nretract to 10 20 2 F800\nplunge to 10 20 -12 F400"
             "\nretract to 10 20 2 F800\nrapid to 10 20 20");
+  const Program read = read_gcode(
+      program("7 CYCL DEF 209 A " + kTap + " Q239=+1 Q257=+8 Q256=+0 Q403=+2\n8 CYCL CALL\n"), "test.ngc");
+  for (const ControlSpan& span : read.control.spans)
+    EXPECT_TRUE(span.state.spindle_rpm == 400 || span.state.spindle_rpm == 800) << span.state.spindle_rpm;
+  EXPECT_EQ(read.control.spans.back().state.spindle_rpm, 400);
 }
 
 TEST(HoleCycle, WhatCannotBeIsRefusedInOneLine) {
