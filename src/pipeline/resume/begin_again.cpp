@@ -8,6 +8,7 @@
 
 #include "base/text.h"
 #include "base/tolerances.h"
+#include "read/gcode/sinumerik/words.h"
 
 namespace clearcut::pipeline {
 namespace {
@@ -30,6 +31,7 @@ class BeginWriter {
 
   std::string text(int line) {
     add_comment(fmt::format("RESUMED BEFORE LINE {}", line));
+    number_tools();
     write_modes();
     if (way_.is_needed) {
       write_drive();
@@ -65,6 +67,13 @@ class BeginWriter {
   std::string at(std::size_t axis) const { return at(axis, *held_.position[axis]); }
   std::string feed_word(double feed) const {
     return "F" + trimmed(feed / (words_.feeds_in_mm ? 1 : held_.modes.unit), 6);
+  }
+
+  /// As the program so far has met them, of which one may not be called any more.
+  void number_tools() {
+    if (words_.tool_numbers.size() < 2) return;
+    for (const auto& [name, number] : words_.tool_numbers)
+      add_comment(read::gcode::tool_comment(name, number));
   }
 
   void write_modes() {

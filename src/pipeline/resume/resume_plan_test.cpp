@@ -320,6 +320,14 @@ TEST(ResumeSinumerik, BringsTheControlIntoTheStateBeforeTheLine) {
   EXPECT_THAT(sinumerik_resumed(19).program, HasSubstr("G642 CTOL=0.01\nFFWON\nBRISK\n"));
 }
 
+TEST(ResumeSinumerik, ToolsKeepTheNumbersOfTheirNames) {
+  const ResumedProgram resumed = sinumerik_resumed(33);
+  EXPECT_THAT(resumed.program, HasSubstr("; T=\"DRILL\" IS T2\n; T=\"MILL\" IS T1\n"));
+  EXPECT_THAT(resumed.program, HasSubstr("T=\"DRILL\" M6\nS3000 M3\n"));
+  EXPECT_EQ(resumed.tool, 2);
+  EXPECT_EQ(resumed.after.toolpath.sections.back().tool_number, 2);
+}
+
 TEST(ResumeSinumerik, NamesTheNearestLineThatServes) {
   EXPECT_THAT(sinumerik_refused(22), HasSubstr("(G68, G51.1, G16, TRANS, ROT, cycles 7 and 10); the nearest "
                                                "line that serves is --line 21"));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -56,6 +57,7 @@ struct HeldWords {
   std::string length;                ///< Sinumerik: "D1"
   std::string tool_name,
       next_tool_name;  ///< Sinumerik: T="MILL6", where the tool in the spindle, or the one called last, has a name
+  std::map<std::string, int> tool_numbers;  ///< Sinumerik: of all tools that were called by names so far
   std::vector<std::string>
       ways;  ///< Sinumerik: how axes are driven and corners gone round, "SOFT", "FFWON", "G451"
   bool feeds_in_mm = false;  ///< Sinumerik: G70 and G71 are for lengths alone

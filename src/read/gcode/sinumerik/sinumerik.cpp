@@ -10,6 +10,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -149,6 +150,7 @@ class SinumerikReader {
       for (std::string_view one; !control_.ended && lines.next(one);) {
         control_.line = lines.number();
         const SinumerikBlock block = sinumerik_block(one, refuse_, computes_);
+        take_number(block.comment);
         if (!block.words.empty()) scan_block(block, line, needs, scan);
       }
     } catch (const MacroError&) {
@@ -185,7 +187,12 @@ class SinumerikReader {
     control_.line = number;
     const SinumerikBlock block = sinumerik_block(line, refuse_, computes_);
     read_marker(block.comment, control_.builder);
+    take_number(block.comment);
     if (!block.words.empty()) execute(block);
+  }
+
+  void take_number(std::string_view comment) {
+    if (const auto named = named_tool_in(comment)) tool_numbers_.insert(*named);
   }
 
   // --- where the program can be begun anew
@@ -266,6 +273,7 @@ class SinumerikReader {
     state.spindle_wait = wait_behind_spindle(control_.builder.events());
     state.words = held_words_;
     state.words.path = path_words();
+    state.words.tool_numbers = tool_numbers_;
     return state;
   }
 
@@ -561,14 +569,16 @@ class SinumerikReader {
     }
   }
 
-  /// Tools that are called by names are numbered as they come; a name that is a number is that tool.
+  /// Tools that are called by names are numbered as they come, behind those that comments number; a name that is a number is that tool.
   int number_of_tool(const std::string& name) {
     const bool is_number = !name.empty() && name.size() < 7 &&
                            std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
     if (is_number) return std::stoi(name);
-    const auto [found, is_new] = tool_numbers_.try_emplace(name, static_cast<int>(tool_numbers_.size()) + 1);
+    int last = 0;
+    for (const auto& [other, its] : tool_numbers_) last = std::max(last, its);
+    const auto found = tool_numbers_.try_emplace(name, last + 1).first;
     const std::string number = std::to_string(found->second);
-    if (is_new)
+    if (called_names_.insert(name).second)
       control_.condition("tool-name-" + number,
                          "T=\"" + name + "\" is the tool that is T" + number + " here");
     return found->second;
@@ -916,6 +926,7 @@ class SinumerikReader {
   std::string high_speed_;  ///< the call of CYCLE832 in force, as text
   std::optional<SinumerikWord> modal_;
   std::map<std::string, int> tool_numbers_;
+  std::set<std::string> called_names_;
   Rounding rounding_ = Rounding::kUnstated;
   std::optional<double> contour_word_, distance_word_;  ///< in the program's unit
   std::optional<double> contour_mm_;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "read/gcode/words/lines.h"
 
 namespace clearcut::read::gcode {
@@ -274,6 +275,22 @@ int first_language_line(std::string_view text) {
     }
   }
   return 0;
+}
+
+std::string tool_comment(const std::string& name, int number) {
+  return "T=\"" + name + "\" IS T" + std::to_string(number);
+}
+
+std::optional<std::pair<std::string, int>> named_tool_in(std::string_view comment) {
+  constexpr std::string_view kBegin = "T=\"", kMiddle = "\" IS T";
+  comment = stripped(comment);
+  const std::size_t middle = comment.find(kMiddle);
+  if (!comment.starts_with(kBegin) || middle == std::string_view::npos) return std::nullopt;
+  const std::string_view digits = comment.substr(middle + kMiddle.size());
+  int number = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  if (error != std::errc{} || end != digits.data() + digits.size() || number < 1) return std::nullopt;
+  return std::pair{std::string(comment.substr(kBegin.size(), middle - kBegin.size())), number};
 }
 
 bool is_sinumerik(std::string_view text) {

@@ -47,6 +47,11 @@ int first_language_line(std::string_view text);
 /// Whether a program has words that no other control reads: calls of cycles, G700 and G710, words of several letters with '='.
 bool is_sinumerik(std::string_view text);
 
+/// What a comment says of a tool that the program calls by its name, as programs begun anew do: `T="MILL" IS T2`.
+std::string tool_comment(const std::string& name, int number);
+/// Name and number in such a comment, absent in others.
+std::optional<std::pair<std::string, int>> named_tool_in(std::string_view comment);
+
 /// CYCLE81 to CYCLE85, CYCLE89 and CYCLE840.
 bool is_sinumerik_hole(const std::string& name);
 
