@@ -70,10 +70,13 @@ void StateFolder::write(const std::string& name, const std::string& text) {
   write_files({{folder_ / name, text}});
 }
 
+/// With the last one goes the folder, and what a process left there that was killed while it wrote.
 void StateFolder::erase(const std::string& name) {
   std::error_code ignored;
   fs::remove(folder_ / name, ignored);
-  fs::remove(folder_, ignored);  // if this was the last one
+  const std::vector<std::string> left = names();
+  if (std::all_of(left.begin(), left.end(), [](const std::string& one) { return one.ends_with(".tmp"); }))
+    fs::remove_all(folder_, ignored);
 }
 
 namespace {

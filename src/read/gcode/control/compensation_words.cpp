@@ -11,6 +11,8 @@ namespace clearcut::read::gcode {
 namespace {
 
 constexpr double kGreatestNumber = 999;
+/// radians; LinuxCNC's interpreter compares sweeps by a length, 0.0254 mm or 0.001 inches, in the program's unit (interp_queue.cc).
+constexpr double kMoreSweepInMm = 0.0254, kMoreSweepInInches = 0.001;
 
 }  // namespace
 
@@ -97,6 +99,7 @@ void CompensationWords::set(int code, const Block& block) {
     return;
   }
   CompensationRules rules = control_.rules.compensation;
+  if (rules.begins_in_plan) rules.more_sweep = control_.modes.unit == 1 ? kMoreSweepInMm : kMoreSweepInInches;
   if (control_.outside_corner) rules.outside = *control_.outside_corner;
   builder.begin_compensation(rules, side, radius);
 }

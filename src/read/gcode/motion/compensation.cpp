@@ -14,10 +14,6 @@ namespace clearcut::read::gcode {
 
 namespace {
 
-/// radians; an arc may sweep that much more than was programmed before it counts as running round the other way: a thousandth of a turn,
-/// as LinuxCNC's interpreter has it.
-constexpr double kSweepMore = 2e-3 * kPi;
-
 bool is_in_plan(const Move& move) {
   return move.path.is_arc() || distance(move.path.from, move.path.to) > kRoundingMm;
 }
@@ -217,7 +213,7 @@ void Compensation::check(const Waiting& waiting, Vec2 end) const {
   if (!path.is_arc()) {
     if (dot(waiting.direction, end - waiting.begins) < 0)
       refuse(waiting.offset.move.line, "the line up to an inside corner" + why);
-  } else if (swept_between(path, waiting.begins, end) > waiting.sweep + kSweepMore) {
+  } else if (swept_between(path, waiting.begins, end) > waiting.sweep + rules_.more_sweep) {
     refuse(waiting.offset.move.line, "the arc up to an inside corner" + why);
   }
 }

@@ -159,6 +159,33 @@ TEST(Compensation, WhatAControlStopsAtIsRefusedInOneLine) {
   EXPECT_THAT(refusal(Dialect::kFanuc, kStart + "G41.1 D6.\n"), HasSubstr("G41.1 is no word of fanuc"));
 }
 
+/// Of an arc that begins 0.6 degrees early LinuxCNC's interpreter takes the contour in mm and stops at it in inches.
+TEST(Compensation, LinuxCncComparesSweepsInTheUnitOfTheProgram) {
+  const auto contour = [](const std::string& word, double unit) {
+    const double places[][2] = {{-1.1927, -19.0868}, {-5.7116, -10.93},  {-10.8533, -10.1057},
+                                {-21.541, -12.1477}, {-33.747, 2.6161}};
+    const auto place = [&](int k) {
+      return "X" + trimmed(places[k][0] / unit, 7) + " Y" + trimmed(places[k][1] / unit, 7);
+    };
+    const auto center = [&](double i, double j) {
+      return " I" + trimmed(i / unit, 7) + " J" + trimmed(j / unit, 7) + "\n";
+    };
+    return word + " G17 G90 G91.1 G94 G61 F90\nT1 M6\nG0 X0 Y0 Z1\nG41\nG1 " + place(0) + "\n" + place(1) + "\nG3 " +
+           place(2) + center(-2.8939, -1.6032) + "G2 " + place(3) + center(-7.1651, 8.5113) + "G40\nG1 " + place(4) +
+           "\nM2\n";
+  };
+  ReadControllerOptions options;
+  options.dialect = Dialect::kLinuxCnc;
+  options.compensation.only_radius = 3.175;
+  EXPECT_NO_THROW(read_gcode(contour("G21", 1), "test.ngc", options));
+  try {
+    read_gcode(contour("G20", 25.4), "test.ngc", options);
+    ADD_FAILURE() << "taken in inches";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("the arc up to an inside corner"));
+  }
+}
+
 TEST(Compensation, HaasMillsACircleFromItsCentre) {
   EXPECT_EQ(told_of(read_with_tools(Dialect::kHaas, kStart + "G13 I8. D1 Z-2. F50.\nG0 Z9.\nM30\n")),
             "plunge to 0 0 -2 F50\ncut to 5 0 -2 ccw about 2.5 0 F50\ncut to -5 0 -2 ccw about 0 0 F50\n"
