@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""reproduced_tables.py CLEARCUT [FOLDER]: makes docs/reproduced.html, and from the same run of `clearcut reproduce` the tables of
+"""reproduced_tables.py CLEARCUT [--long] [FOLDER]: makes docs/reproduced.html, and from the same run of `clearcut reproduce` the tables of
 docs/tour.md and docs/methods.md that stand between marks naming this script.
 
-FOLDER (build/reproduced) keeps what is done, so that a call that was broken off is taken up and a second one takes no time; the first
-takes half an hour of a core. Remove a table's entry from FOLDER/reproduced.json to have it made again. The reference instances are read
-from tsp/ in $CLEARCUT_DATA.
+With --long the table of the published genetic algorithm is made instead, from two runs that take half an hour of a core; all others take
+ten minutes. FOLDER (build/reproduced) keeps what is done, so that a call that was broken off is taken up and a second one takes no time;
+remove a file of it to have its tables made again. The reference instances are read from tsp/ in $CLEARCUT_DATA.
 """
 import json
 import pathlib
@@ -13,8 +13,9 @@ import subprocess
 import sys
 
 DOCS = pathlib.Path(__file__).resolve().parents[2] / "docs"
-# Ends by the clock, so that its figures are those of one machine and its load.
-LEFT_OUT = ["fi10639"]
+# Those of the published algorithm; fi10639 ends by the clock, so that its figures are those of one machine and its load.
+LONG = ["genetic", "genetic-lattices"]
+LEFT_OUT = ["fi10639", *LONG]
 
 
 def table(heading, rows):
@@ -41,11 +42,12 @@ def genetic(tables):
     rows = []
     for row in rows_of(tables, "genetic") + rows_of(tables, "genetic-lattices"):
         points, objective, optimum, printed, fitness, ours, ours_fitness, error, _, runs, thousands, _, operators = row
+        if operators != "as published":
+            continue
         points = points.removesuffix(".tsp").upper() if points.endswith(".tsp") else points
         share = f"{ours_fitness} ± {error} %" if error else f"{ours_fitness} %"
-        rows.append([points, objective, operators, optimum, printed, f"{fitness} %", ours, share, runs, thousands])
-    return table(["points", "objective", "operators", "optimum", "printed", "fitness", "ours", "fitness", "runs",
-                  "thousand individuals"], rows)
+        rows.append([points, objective, optimum, printed, f"{float(fitness):g} %", ours, share, runs, f"{thousands} thousand"])
+    return table(["points", "objective", "optimum", "printed", "fitness", "ours", "fitness", "runs", "individuals"], rows)
 
 
 def readings(tables):
@@ -137,33 +139,42 @@ def engagement(tables):
 MADE = {
     "methods.md": {"lengths of the star": lambda tables: lengths(tables, "concave", "six-pointed star"),
                    "lengths of the quadrilateral": lambda tables: lengths(tables, "convex", "acute quadrilateral")},
-    "tour.md": {"genetic": genetic, "fishhead": readings, "fishhead-published": programs, "objectives": objectives,
+    "tour.md": {"fishhead": readings, "fishhead-published": programs, "objectives": objectives,
                 "turns of short tours": turns_of_short_tours, "tour-engagement": engagement},
 }
 
+MADE_OF_LONG = {"tour.md": {"genetic": genetic}}
+
 
 def with_made(text, name, made):
-    begin, end = f"<!-- {name}: made by scripts/docs/reproduced_tables.py -->", f"<!-- end of {name} -->"
+    begin = re.search(f"<!-- {name}: made by scripts/docs/reproduced_tables.py(?: --long)? -->", text)[0]
+    end = f"<!-- end of {name} -->"
     before, rest = text.split(begin)
     return f"{before}{begin}\n\n{made}\n\n{end}{rest.split(end)[1]}"
 
 
-def reproduced(command, folder):
-    """Name -> table as `clearcut reproduce --json` writes it; the page of all is written too."""
-    listed = subprocess.run([command, "reproduce", "--list"], check=True, capture_output=True, text=True).stdout
-    names = [name for name in re.findall(r"^([a-z0-9-]+)(?: \*)?  ", listed, re.MULTILINE) if name not in LEFT_OUT + ["name"]]
-    file = folder / "reproduced.json"
-    subprocess.run([command, "reproduce", *names, "--json", file, "--html", DOCS / "reproduced.html", "--resume"], check=True,
-                   stdout=subprocess.DEVNULL)
+def reproduced(command, names, file, page):
+    """Name -> table as `clearcut reproduce --json` writes it; `page` holds all of them."""
+    written = ["--html", page] if page else []
+    subprocess.run([command, "reproduce", *names, "--json", file, "--resume", *written], check=True, stdout=subprocess.DEVNULL)
     return {one["name"]: one for one in json.loads(file.read_text())}
 
 
+def all_names(command):
+    listed = subprocess.run([command, "reproduce", "--list"], check=True, capture_output=True, text=True).stdout
+    return re.findall(r"^([a-z0-9-]+)(?: \*)?  ", listed, re.MULTILINE)[1:]  # under a heading
+
+
 def main():
-    command = str(pathlib.Path(sys.argv[1]).resolve())
-    folder = pathlib.Path(sys.argv[2] if len(sys.argv) > 2 else "build/reproduced")
+    arguments = [argument for argument in sys.argv[1:] if argument != "--long"]
+    is_long = len(arguments) + 1 < len(sys.argv)
+    command = str(pathlib.Path(arguments[0]).resolve())
+    folder = pathlib.Path(arguments[1] if len(arguments) > 1 else "build/reproduced")
     folder.mkdir(parents=True, exist_ok=True)
-    tables = reproduced(command, folder)
-    for page, marks in MADE.items():
+    names = LONG if is_long else [name for name in all_names(command) if name not in LEFT_OUT]
+    tables = reproduced(command, names, folder / ("long.json" if is_long else "reproduced.json"),
+                        None if is_long else DOCS / "reproduced.html")
+    for page, marks in (MADE_OF_LONG if is_long else MADE).items():
         text = (DOCS / page).read_text()
         for name, make in marks.items():
             text = with_made(text, name, make(tables))

@@ -50,7 +50,7 @@ std::map<std::string, LevelMean> documented_means(const std::string& cell) {
   const std::regex level("(?:, |each: )([^,:]+): ([0-9.e-]+) ± ([0-9.e-]+)");
   for (std::sregex_iterator at(cell.begin(), cell.end(), level), end; at != end; ++at)
     means[std::regex_replace((*at)[1].str(), std::regex(R"(\\)"), "")] = {std::stod((*at)[2]),
-                                                                        std::stod((*at)[3]), 2};
+                                                                          std::stod((*at)[3]), 2};
   return means;
 }
 

@@ -35,7 +35,8 @@ constexpr double kCircleOverSegment = kPi / 2;
 /// Degrees of the star's tips.
 constexpr double kTip = 32.5;
 /// Two printed lengths of each shape, plain contours and kappa's, fix two measures of ours; others are free.
-const Explanation kOutline{"the outline is not printed; ours is sized by the contours and kappa's path", 0.15};
+const Explanation kOutline{"the outline is not printed; ours is sized by the contours and kappa's path",
+                           0.15};
 const Explanation kNotPrinted{
     "outline and feed are not printed; ours stands in, and one feed is fitted to all cutters", 0.4};
 
@@ -202,18 +203,24 @@ Reproduction length_comparison() {
                {"lom corrected", "lom-corrected"},
                {"contour (ours)", "contour"}});
   table.notes.push_back(
-      "their outlines are not printed, the shapes are ours: a six-pointed star and an acute quadrilateral, sized by the "
-      "printed contours and kappa's path; what can be compared is the order, and kappa's path is shorter than both rivals "
+      "their outlines are not printed, the shapes are ours: a six-pointed star and an acute quadrilateral, "
+      "sized by the "
+      "printed contours and kappa's path; what can be compared is the order, and kappa's path is shorter "
+      "than both rivals "
       "on both shapes");
-  const double acute = std::sin(Radians::of_degrees(kTip).radians() / 2);
-  table.notes.push_back(fmt::format(
-      "circles on segments: pi / 2 of the printed 244 mm of segments, one way as eq. 3 of CPO-rho has them, are {:.1f} mm, "
-      "where 382 are printed: a circle half as wide as the way along the bisector from contour to contour. From sin(alpha / 2) = "
-      "1 / 3 on, 39 degrees, it stays within the outer contour, at the star's {:g} degrees it runs {:.1f} mm over it; of "
-      "the 67 mm of the convex shape it makes {:.1f} mm, and 58 are printed, so many if loops stand at corners with {:.0f} % "
-      "of the segments' length",
-      kCircleOverSegment * 244, kTip, kLengthStep * (0.25 / acute - 0.75), kCircleOverSegment * 67,
-      100 * 58 / (kCircleOverSegment * 67)));
+  const double acute = base::sin(Radians::of_degrees(kTip).radians() / 2);
+  table.notes.push_back(
+      fmt::format("circles on segments: pi / 2 of the printed 244 mm of segments, one way as eq. 3 of "
+                  "CPO-rho has them, are {:.1f} mm, "
+                  "where 382 are printed: a circle half as wide as the way along the bisector from contour "
+                  "to contour. From sin(alpha / 2) = "
+                  "1 / 3 on, 39 degrees, it stays within the outer contour, at the star's {:g} degrees it "
+                  "runs {:.1f} mm over it; of "
+                  "the 67 mm of the convex shape it makes {:.1f} mm, and 58 are printed, so many if loops "
+                  "stand at corners with {:.0f} % "
+                  "of the segments' length",
+                  kCircleOverSegment * 244, kTip, kLengthStep * (0.25 / acute - 0.75),
+                  kCircleOverSegment * 67, 100 * 58 / (kCircleOverSegment * 67)));
   table.notes.push_back("lengths of linked programs in plan, with passages; clean: by the certificate");
   return result;
 }

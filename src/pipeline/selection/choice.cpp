@@ -20,8 +20,8 @@ bool is_clean(const Figures* plan) {
 CuttingLoad load_of(const Figures& figures, ObjectiveKind kind) {
   if (figures.load) return *figures.load;
   if (figures.engagement.max_deg <= 0) return {};
-  throw InputError("--objective",
-                   fmt::format("{} is not known: spindle speed, teeth or feed are not stated", name_of(kind)));
+  throw InputError("--objective", fmt::format("{} is not known: spindle speed, teeth or feed are not stated",
+                                              name_of(kind)));
 }
 
 double conventional_share(const Engagement& engagement) {
