@@ -101,6 +101,11 @@ TEST(TurnAngle, EqualsTheMinorArcOfTheText) {
   EXPECT_TRUE(is_turn({1, 0}, {-1, 0}));
   EXPECT_TRUE(is_turn({1, 0}, {0, 1}));
   EXPECT_FALSE(is_turn({1, 0}, {2, 0}));
+  const auto turned_by = [&](double degrees) {
+    return Vec2{std::cos(degrees * pi / 180), std::sin(degrees * pi / 180)};
+  };
+  EXPECT_FALSE(is_turn({1, 0}, turned_by(0.0995)));
+  EXPECT_TRUE(is_turn({1, 0}, turned_by(0.1005))) << "from 0.1 degrees on";
 }
 
 TEST(Neighbours, AreTheNearestByBruteForce) {

@@ -5,9 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <regex>
 #include <set>
 
 #include "base/error.h"
+#include "base/file.h"
+#include "base/text.h"
+#include "studies/genetic/study_claims.h"
+#include "studies/genetic/study_plans.h"
 
 namespace clearcut::studies {
 namespace {
@@ -25,6 +31,55 @@ std::string csv_of(const std::string& name, const GeneticStudyOptions& options,
                    const std::string& earlier = "") {
   const GeneticStudy study = genetic_study(name, options);
   return study_csv(study, options, run_genetic_study(study, options, earlier));
+}
+
+/// The row of a study in docs/tour.md: its findings and its means. Empty where there is none.
+std::vector<std::string> documented_row(const StudyPlan& plan) {
+  const std::string page = read_file(CLEARCUT_SOURCE_DIR "/docs/tour.md", 1 << 20);
+  const std::string begin = "| `" + plan.name + "`, " + plan.figure + " | ";
+  const auto at = page.find(begin);
+  if (at == std::string::npos) return {};
+  const auto from = at + begin.size();
+  std::string row = page.substr(from, page.find('\n', from) - from);
+  return split(std::regex_replace(row, std::regex(R"( \|$)"), ""), '|');
+}
+
+/// "... runs each: 5: 98.75 ± 0.43, 10: 97.99 ± 0.17".
+std::map<std::string, LevelMean> documented_means(const std::string& cell) {
+  std::map<std::string, LevelMean> means;
+  const std::regex level("(?:, |each: )([^,:]+): ([0-9.e-]+) ± ([0-9.e-]+)");
+  for (std::sregex_iterator at(cell.begin(), cell.end(), level), end; at != end; ++at)
+    means[std::regex_replace((*at)[1].str(), std::regex(R"(\\)"), "")] = {std::stod((*at)[2]),
+                                                                          std::stod((*at)[3]), 2};
+  return means;
+}
+
+/// Studies take minutes, so that their table is made by a script; here it is held that each has its row with all of its levels, and that
+/// the verdict on every finding follows from the means beside it.
+TEST(GeneticStudy, TheTableOfStudiesSaysWhatItsMeansSay) {
+  int findings = 0;
+  for (const StudyPlan& plan : study_plans()) {
+    SCOPED_TRACE(plan.name);
+    const auto row = documented_row(plan);
+    ASSERT_EQ(row.size(), 2U);
+    auto means = documented_means(row[1]);
+    for (const std::string& level : plan.levels) EXPECT_TRUE(means.contains(level)) << level;
+    EXPECT_NE(row[1].find(std::to_string(plan.middle.runs) + " runs each"), std::string::npos);
+    StudyMeans of;
+    of.mean = [&](const std::string& level) { return means[level]; };
+    of.abscissa = [](const std::string& level) { return std::stod(level) * std::stod(level); };
+    of.greatest_deviation = [](const std::string&) { return 0.0; };
+    for (const StudyClaim& claim : plan.claims) {
+      if (claim.kind == StudyClaim::Kind::kWithin) continue;  // by single runs
+      const std::string text = claim_text(claim, of);
+      const auto from = std::string("the text: ").size(), verdict = text.find("; here: ");
+      const std::string said = text.substr(from, verdict - from) + ": " +
+                               text.substr(verdict + 8, text.find(" (by") - verdict - 8) + " (";
+      EXPECT_NE(row[0].find(said), std::string::npos) << said;
+      ++findings;
+    }
+  }
+  EXPECT_GE(findings, 14);
 }
 
 TEST(GeneticStudy, GivesTheSameRowsOnOneAndTwoThreads) {

@@ -32,6 +32,7 @@ std::optional<pipeline::PlanResult> planned_outline(const Part& part, const Outl
   options.strategy = method.strategy;
   options.stepover = method.stepover;
   options.post.decimals = method.decimals;
+  options.published.sharp_reflex = options.published.bisector_passages = method.as_printed;
   try {
     return pipeline::plan_part(part, options);
   } catch (const InputError&) {

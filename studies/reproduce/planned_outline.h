@@ -19,6 +19,8 @@ struct OutlineMethod {
   std::string strategy;
   std::optional<std::string> stepover = {};  ///< as typed; the method's own where absent
   int decimals = 4;                          ///< of the program
+  /// Reflex corners stay corners and passages run along bisectors, as the papers have it; absent: the method's own way.
+  std::optional<bool> as_printed = {};
 };
 
 /// The program read back and its certificate; absent where the cutter does not fit.

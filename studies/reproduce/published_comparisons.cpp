@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,26 +30,29 @@ constexpr double kCuttingSpeed = 36.6;  // m/min
 constexpr double kSameForAll = 10;
 /// mm/min; one feed for all cutters each, about the one that fits the printed times.
 constexpr std::array<double, 4> kTrendFeeds{40, 83, 160, 320};
-/// Length of a circle with a bisector segment as its diameter, over the way along the segment there and back.
+/// Length of a circle over the way along a bisector from contour to contour, half as wide as which it is.
 constexpr double kCircleOverSegment = kPi / 2;
-/// Ours is sized alike: areas and inscribed circles are the same, sides are not.
-const Explanation kOutline{"the outline is not printed; ours stands in", 0.25};
+/// Degrees of the star's tips.
+constexpr double kTip = 32.5;
+/// Two printed lengths of each shape, plain contours and kappa's, fix two measures of ours; others are free.
+const Explanation kOutline{"the outline is not printed; ours is sized by the contours and kappa's path",
+                           0.15};
 const Explanation kNotPrinted{
     "outline and feed are not printed; ours stands in, and one feed is fitted to all cutters", 0.4};
 
-/// Twelve sides of 28.6 mm, so that contours 7.2 mm apart are about as long as theirs.
+/// Twelve sides of 42.2 mm: of the regular six-pointed stars that kappa leaves clean the one whose contours 7.2 mm apart and whose
+/// contours by kappa are nearest to theirs, both within 0.5 %.
 Region concave_star() {
-  return star(28.6, 60);
+  return star(42.2, kTip);
 }
 
-/// Four corners of 41, 68, 111 and 140 degrees, sized like the star.
+/// Four corners of 48, 25, 132 and 155 degrees, sized by the same two lengths and by the bisectors of eq. 3.
 Region acute_convex() {
-  return scaled({{0, 0}, {60, 0}, {43, 29}, {24, 21}}, 1.113);
+  return scaled({{0, 0}, {83.2, 0}, {29.9, 24.6}, {17.3, 19.1}}, 1);
 }
 
-std::optional<Figures> figures_of(const Part& part, const std::string& strategy,
-                                  const std::optional<std::string>& stepover = {}) {
-  const auto planned = planned_outline(part, {strategy, stepover});
+std::optional<Figures> figures_of(const Part& part, const OutlineMethod& method) {
+  const auto planned = planned_outline(part, method);
   return planned ? std::optional(planned->findings.all) : std::nullopt;
 }
 
@@ -68,13 +72,13 @@ void add_lengths(Reproduction& result, const char* shape, const Region& region,
                  const std::vector<LengthRow>& rows) {
   const Part part = pocket_part(region, shape, 2 * kLengthRadius);
   const std::string step = fmt::format("{}mm", kLengthStep);
-  const auto fixed = figures_of(part, "fixed", step);
+  const auto fixed = figures_of(part, {.strategy = "fixed", .stepover = step, .as_printed = true});
   const auto text = [](double value) { return fmt::format("{:.2f}", value); };
   double segments = 0;
   for (const auto& row : rows) {
     const std::string strategy = row.strategy;
     const bool adds = strategy == "bisectors" || strategy == "loops" || strategy == "single";
-    const auto figures = figures_of(part, strategy, adds ? std::optional(step) : std::nullopt);
+    const auto figures = figures_of(part, {strategy, adds ? std::optional(step) : std::nullopt});
     if (!figures || !fixed) continue;
     const double total = length_in_plan(*figures), contours = adds ? length_in_plan(*fixed) : total;
     if (strategy == "bisectors") segments = total - contours;
@@ -199,18 +203,24 @@ Reproduction length_comparison() {
                {"lom corrected", "lom-corrected"},
                {"contour (ours)", "contour"}});
   table.notes.push_back(
-      "their outlines are not printed, the shapes are ours (a six-pointed star, an acute quadrilateral) and "
-      "sized alike: "
-      "figures differ for that, what can be compared is the order");
+      "their outlines are not printed, the shapes are ours: a six-pointed star and an acute quadrilateral, "
+      "sized by the "
+      "printed contours and kappa's path; what can be compared is the order, and kappa's path is shorter "
+      "than both rivals "
+      "on both shapes");
+  const double acute = base::sin(Radians::of_degrees(kTip).radians() / 2);
   table.notes.push_back(
-      fmt::format("circles on segments: a loop that the printed 382 mm allow, pi / 2 of the 244 mm of "
-                  "segments there and back: "
-                  "{:.1f} mm; but of the 67 mm of the convex shape it makes {:.1f} mm, where 58 are printed, "
-                  "and it is no loop of a "
-                  "program: at a corner alpha it reaches s (1 / sin(alpha / 2) - 1) / 2 over the outer "
-                  "contour, {:.1f} mm into the wall "
-                  "at 60 degrees",
-                  kCircleOverSegment * 244, kCircleOverSegment * 67, kLengthStep / 2));
+      fmt::format("circles on segments: pi / 2 of the printed 244 mm of segments, one way as eq. 3 of "
+                  "CPO-rho has them, are {:.1f} mm, "
+                  "where 382 are printed: a circle half as wide as the way along the bisector from contour "
+                  "to contour. From sin(alpha / 2) = "
+                  "1 / 3 on, 39 degrees, it stays within the outer contour, at the star's {:g} degrees it "
+                  "runs {:.1f} mm over it; of "
+                  "the 67 mm of the convex shape it makes {:.1f} mm, and 58 are printed, so many if loops "
+                  "stand at corners with {:.0f} % "
+                  "of the segments' length",
+                  kCircleOverSegment * 244, kTip, kLengthStep * (0.25 / acute - 0.75),
+                  kCircleOverSegment * 67, 100 * 58 / (kCircleOverSegment * 67)));
   table.notes.push_back("lengths of linked programs in plan, with passages; clean: by the certificate");
   return result;
 }

@@ -117,7 +117,7 @@ void add_printed(Reproduction& result) {
                 is_stated ? of_print(length, kPrintedOverLength, 1) : Cell(fmt::format("{:.1f}", length)),
                 std::to_string(row.turns),
                 is_stated ? of_print(turns, kPrintedOverTurns, 1) : Cell(fmt::format("{:.1f}", turns)), "",
-                "", "", "", row.seconds});
+                "", "", "", row.seconds, ""});
   }
 }
 

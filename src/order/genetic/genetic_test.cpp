@@ -57,7 +57,11 @@ TEST(Genetic, NeverLosesItsBest) {
       EXPECT_LE(result.samples[i].best, result.samples[i].mean + 1e-9);
       EXPECT_LE(result.samples[i].mean, result.samples[i].worst + 1e-9);
     }
-    EXPECT_EQ(result.samples.back().generation, 300);
+    std::vector<long long> sampled;
+    for (const GenerationSample& sample : result.samples) sampled.push_back(sample.generation);
+    EXPECT_EQ(sampled, (std::vector<long long>{0,  1,  2,  3,  4,  5,  6,  7,  8,   9,   10,
+                                               20, 30, 40, 50, 60, 70, 80, 90, 100, 200, 300}))
+        << "eq. 5.1: n 10^i";
     EXPECT_EQ(result.children, 300 * 25);
     EXPECT_GE(result.improved, result.records);
   }

@@ -116,6 +116,17 @@ TEST(FirstPopulation, OfPlainPathsTakesTheLeastSimilar) {
   EXPECT_LT(mean_shared(compared, problem.closed()), mean_shared(uncompared, problem.closed()));
 }
 
+/// Of three points in a row all paths share an edge, so that the second one is drawn ten times; a path draws a number for each point.
+TEST(FirstPopulation, IsDrawnAnewAtMostNineTimes) {
+  const Problem problem = open_lattice(3, 1);
+  const Moves moves(problem);
+  const OperatorContext context(moves, 24);
+  Random random(1), same(1);
+  first_population(context, 2, 0.2, 1, random);
+  for (int draws = 0; draws < 3 * (1 + 10); ++draws) same.next();
+  EXPECT_EQ(random.state(), same.state());
+}
+
 TEST(FirstPopulation, KeepsEndsAndPrecedenceAndTakesTinyProblems) {
   for (int n = 1; n <= 6; ++n) {
     Problem problem = open_problem(n, 2);

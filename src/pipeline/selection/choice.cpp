@@ -16,12 +16,12 @@ bool is_clean(const Figures* plan) {
   return plan != nullptr && plan->clean;
 }
 
-const CuttingLoad& load_of(const Figures& figures, ObjectiveKind kind) {
-  if (!figures.load)
-    throw InputError(
-        "--objective",
-        fmt::format("{} is not known: spindle speed, teeth or feed are not stated", name_of(kind)));
-  return *figures.load;
+/// A plan that meets no material has no load.
+CuttingLoad load_of(const Figures& figures, ObjectiveKind kind) {
+  if (figures.load) return *figures.load;
+  if (figures.engagement.max_deg <= 0) return {};
+  throw InputError("--objective", fmt::format("{} is not known: spindle speed, teeth or feed are not stated",
+                                              name_of(kind)));
 }
 
 double conventional_share(const Engagement& engagement) {
@@ -29,14 +29,15 @@ double conventional_share(const Engagement& engagement) {
   return sided > 0 ? engagement.conventional_mm / sided : 0;
 }
 
-/// The unit of a quantity among several plans. A share is one already.
+/// The unit of a quantity among several plans: the least that is above 0. A share is one already.
 double unit_of(ObjectiveKind kind, const std::vector<const Figures*>& plans) {
   if (kind == ObjectiveKind::kClimb) return 1;
   double least = kNever;
   for (const Figures* plan : plans) {
-    if (is_clean(plan)) least = std::min(least, figure_of(kind, *plan));
+    const double figure = is_clean(plan) ? figure_of(kind, *plan) : 0;
+    if (figure > 0) least = std::min(least, figure);
   }
-  return least > 0 && least < kNever ? least : 1;
+  return least < kNever ? least : 1;
 }
 
 }  // namespace

@@ -59,7 +59,18 @@ TEST(Choice, ClimbCountsWhatIsCutConventionally) {
 TEST(Choice, ALoadThatIsNotKnownIsRefused) {
   Figures figures;
   figures.clean = true;
+  figures.engagement.max_deg = 90;
   EXPECT_THROW(costs("wear", {figures}), InputError);
+}
+
+/// A step below another one can find its material gone.
+TEST(Choice, APlanThatMeetsNoMaterialHasNoLoad) {
+  Figures nothing;
+  nothing.clean = true;
+  EXPECT_EQ(costs("force", {nothing, load_of(100, 50, 40)}), (std::vector<double>{0, 100}));
+  const std::vector<double> both =
+      costs("1:force,1:energy", {nothing, load_of(100, 50, 40), load_of(200, 50, 10)});
+  EXPECT_EQ(both, (std::vector<double>{0, 2, 3})) << "in units of the least load above 0";
 }
 
 Part pocket() {

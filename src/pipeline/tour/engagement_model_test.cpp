@@ -153,8 +153,8 @@ class PlainRaster {
 TEST(Engagement, TheRasterIsThePlainOneToThePixel) {
   const EngagementTask task = grid_task();
   Random random(5);
-  // Circles of 11 and of 56 pixels.
-  for (const double accuracy : {0.02, 0.02, 0.004}) {
+  // Circles of 11, 56 and 8 pixels; sqrt(2 r) of the last is a whole number.
+  for (const double accuracy : {0.02, 0.02, 0.004, 0.0281}) {
     std::vector<int> tour{static_cast<int>(random.below(49))};
     while (tour.size() < (accuracy > 0.01 ? 12 : 5)) {
       const int next = static_cast<int>(random.below(49));
