@@ -135,6 +135,28 @@ bool leaves_a_rest_out(const Part& part, const resolve::PlanOptions& asked, cons
   });
 }
 
+std::string name_and_size(const Tool& tool) {
+  return fmt::format("T{} ({} {} mm)", tool.number, name_of(tool.kind), trimmed(tool.diameter, 3));
+}
+
+/// Lines that mills engrave, where one of `tools`, the given ones, is a V-bit or a ball that would: their grooves are wider.
+std::vector<Condition> engraved_by_mills(const ResolvedPlan& plan, const std::vector<Tool>& tools) {
+  std::vector<Condition> conditions;
+  for (const Workingstep& step : plan.part.workplan) {
+    const Feature& feature = feature_of(plan.part, step);
+    const Tool& tool = tool_of(plan.part, step);
+    if (feature.kind != FeatureKind::kEngraving || tools.empty() || is_carved(feature, tool)) continue;
+    const Tool& engraver = tools[static_cast<std::size_t>(features::tool_for(feature, tools, {}, plan.tol))];
+    if (!is_carved(feature, engraver)) continue;
+    conditions.push_back({"engraved-by-mill",
+                          feature.name + ": " + name_and_size(tool) +
+                              " cuts a groove as wide as it is; the program does not call " +
+                              name_and_size(engraver) + ", which is given and engraves",
+                          0, ""});
+  }
+  return conditions;
+}
+
 /// Decides every value of a question with other options.
 using Resolver = std::function<ResolvedPlan(const resolve::PlanOptions&)>;
 
@@ -422,6 +444,7 @@ CheckResult check_resolved(const Part& part, const ProgramText& text, const reso
   require_tools(!options.tools.empty() || !part.tools.empty(), read.toolpath, text);
   CheckResult result;
   resolve::PlanOptions asked = numbered_by(read.toolpath, options);
+  const std::vector<Tool> asked_tools = asked.tools;
   if (!resolved) resolved = resolved_for(called_by(read.toolpath, first), asked, resolve_part);
   take_first(*resolved, first);
   const ResolvedPlan& plan = *resolved;
@@ -449,6 +472,8 @@ CheckResult check_resolved(const Part& part, const ProgramText& text, const reso
                                         shifted.dialect, plan, stated);
                  return WornProgram{std::move(shifted.toolpath), std::move(found)};
                });
+  for (Condition& one : engraved_by_mills(plan, asked_tools))
+    result.findings.conditions.push_back(std::move(one));
   add_conditions_of_part(result.part, result.toolpath, plan, result.findings);
   add_not_machined(result.part.diagnostics, result.findings);
   result.margin = margin_asked({result.part, result.toolpath, result.control}, plan, result.findings);

@@ -267,6 +267,15 @@ double wear_range_of(const ShopOptions& shop) {
   return shop.wear_range.value_or(kWearRange);
 }
 
+namespace {
+
+/// Whether a mill bores the hole for a tap, a reamer, a boring bar or a thread mill, which finishes it.
+bool comes_before_another_tool(const Feature& feature) {
+  return feature.hole && feature.hole->kind == HoleKind::kDrilled;
+}
+
+}  // namespace
+
 void add_rest_steps(Part& part, const PlanOptions& options, StepSources& sources) {
   std::vector<std::vector<Workingstep>> before(part.workplan.size());
   std::vector<std::pair<int, Workingstep>> at_end;  // steps at the end by mill, widest first
@@ -314,6 +323,7 @@ void add_finishing_steps(Part& part, const PlanOptions& options, StepSources& so
   const Finish finish = finish_of(shop);
   std::vector<Workingstep> floors, walls;
   for (const Workingstep& last : last_milling_steps(part)) {
+    if (comes_before_another_tool(feature_of(part, last))) continue;
     const auto hole = features::round_hole_of(feature_of(part, last), options.tol);
     if (hole && features::makes_hole(tool_of(part, last), *hole, options.tol)) continue;
     if (finish != Finish::kWalls) add_floor_steps(part, last.feature, shop, floors, sources);
