@@ -257,6 +257,25 @@ TEST(OutOfReach, IsTheFloorBesideAFilletWhereABallMakesBoth) {
   EXPECT_EQ(says({"bullnose:6:corner=1.5"}), "");
 }
 
+/// A flat end mill clears the floor off the fillet, and the ball makes the fillet alone; alone the mill leaves the fillet standing.
+TEST(OutOfReach, IsLittleOfAFilletedFloorThatAFlatEndAndABallMake) {
+  Part part = drawn(box("POCKET_D4", 0, 0, 24, 20));
+  part.features.front().floor_fillet = 1.5;
+  for (const bool rest : {false, true}) {
+    auto options = with({"endmill:6", "ball:3"});
+    options.shop.rest = rest;
+    const PlanResult both = plan_part(part, options);
+    EXPECT_EQ(verdict_of(both.findings), Verdict::kClean) << faults_of(both.findings);
+    ASSERT_EQ(both.part.workplan.size(), 2u);
+    EXPECT_EQ(verdict_of(check_program(part, both.program, "fillet.ngc", options).findings), Verdict::kClean);
+    const PlanResult ball = plan_part(part, with({"ball:3"}));
+    EXPECT_LT(both.findings.all.time_s, 0.8 * ball.findings.all.time_s);
+  }
+  const PlanResult flat = plan_part(part, with({"endmill:6"}));
+  EXPECT_EQ(verdict_of(flat.findings), Verdict::kConditional) << faults_of(flat.findings);
+  EXPECT_EQ(flat.findings.all.gouge_mm, 0);
+}
+
 /// At the top of a pocket less deep than its radius a ball is narrower than its distance from the walls: its passes lie nearer to each
 /// other, so that nothing stands up to the top between them.
 TEST(OutOfReach, OfABallInAShallowPocketIsNothingAboveTheCusps) {
