@@ -160,22 +160,37 @@ std::vector<Condition> engraved_by_mills(const ResolvedPlan& plan, const std::ve
 /// Decides every value of a question with other options.
 using Resolver = std::function<ResolvedPlan(const resolve::PlanOptions&)>;
 
+/// Whether the question wants all that the given tools reach: with --rest, and where what is out of reach is accepted, which no given
+/// tool must then reach.
+bool wants_all_in_reach(const resolve::PlanOptions& asked) {
+  const std::vector<std::string>& accepted = asked.accept;
+  return asked.shop.rest.value_or(false) ||
+         std::find(accepted.begin(), accepted.end(), "out-of-reach") != accepted.end();
+}
+
+/// Whether a plan has a step for what wider mills leave whose tool is not among the `called` ones.
+bool has_rest_of_others(const Part& part, const std::vector<Tool>& called) {
+  return std::any_of(part.workplan.begin(), part.workplan.end(), [&](const Workingstep& step) {
+    return step.operation.rest && !tool_numbered(called, tool_of(part, step).number);
+  });
+}
+
 /// The question with the tools called by the program; with all given tools if the part, or one of its features, cannot be made with
 /// only the called ones, because the program leaves work out. `asked` becomes the resolved options.
 ResolvedPlan resolved_for(const Toolpath& toolpath, resolve::PlanOptions& asked, const Resolver& resolved) {
   resolve::PlanOptions called = with_tools_of(toolpath, asked);
-  if (called.tools.size() < asked.tools.size()) {
-    try {
-      ResolvedPlan plan = resolved(called);
-      if (!leaves_a_feature_out(plan.part, asked.tools, plan.tol) &&
-          !leaves_a_rest_out(plan.part, asked, plan.tol)) {
-        asked = std::move(called);
-        return plan;
-      }
-    } catch (const InputError&) {  // reported below if it also fails with all tools
-    }
+  if (called.tools.size() == asked.tools.size()) return resolved(asked);
+  try {
+    ResolvedPlan plan = resolved(called);
+    if (leaves_a_feature_out(plan.part, asked.tools, plan.tol) ||
+        leaves_a_rest_out(plan.part, asked, plan.tol) ||
+        (wants_all_in_reach(asked) && has_rest_of_others(resolved(asked).part, called.tools)))
+      return resolved(asked);
+    asked = std::move(called);
+    return plan;
+  } catch (const InputError&) {  // reported below if it also fails with all tools
+    return resolved(asked);
   }
-  return resolved(asked);
 }
 
 /// Values stated for the tool of a workingstep of `prepared` take precedence over those of `stated`, the step as read

@@ -57,6 +57,28 @@ TEST(OutOfReach, IsAPocketDeeperThanTheFlutesBesideWorkThatIsDone) {
   }
 }
 
+/// The program up to the last change of its tool, and its end.
+std::string without_last_tool(const std::string& program) {
+  const std::size_t change = program.rfind("(TOOL CHANGE"), end = program.rfind("M5\n");
+  return program.substr(0, change) + program.substr(end);
+}
+
+/// What is accepted as out of reach is what no given tool reaches as a plan would use it.
+TEST(OutOfReach, AcceptedIsNotWhatAGivenToolWouldReach) {
+  const Part part = drawn(box("POCKET_D2", 0, 0, 30, 24));
+  auto options = with({"endmill:12", "endmill:3"});
+  options.shop.rest = true;
+  options.accept = {"out-of-reach"};
+  const PlanResult planned = plan_part(part, options);
+  EXPECT_EQ(verdict_of(planned.findings), Verdict::kClean) << faults_of(planned.findings);
+  EXPECT_EQ(verdict_of(check_program(part, planned.program, "whole.ngc", options).findings), Verdict::kClean);
+  const std::string wider = without_last_tool(planned.program);
+  EXPECT_TRUE(has(check_program(part, wider, "wider.ngc", options).findings, FaultKind::kUncut));
+  options.tools.pop_back();
+  options.shop.rest.reset();
+  EXPECT_EQ(verdict_of(check_program(part, wider, "wider.ngc", options).findings), Verdict::kClean);
+}
+
 /// A hole in the floor of a pocket, deeper than its drill, is left out; drilled as deep as the drill goes it is faulty.
 TEST(OutOfReach, IsAHoleUnderAPocketDeeperThanItsDrill) {
   const Part part = drawn(box("STOCK_D30", -9, -9, 39, 29) + box("POCKET_D5", 0, 0, 30, 20) +
