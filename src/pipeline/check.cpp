@@ -168,11 +168,18 @@ bool wants_all_in_reach(const resolve::PlanOptions& asked) {
          std::find(accepted.begin(), accepted.end(), "out-of-reach") != accepted.end();
 }
 
-/// Whether a plan has a step for what wider mills leave whose tool is not among the `called` ones.
-bool has_rest_of_others(const Part& part, const std::vector<Tool>& called) {
-  return std::any_of(part.workplan.begin(), part.workplan.end(), [&](const Workingstep& step) {
-    return step.operation.rest && !tool_numbered(called, tool_of(part, step).number);
-  });
+/// Whether a plan with all given tools has a step for what wider mills leave whose tool is not among the `called` ones; false where
+/// there is no such plan.
+bool has_rest_of_others(const resolve::PlanOptions& asked, const std::vector<Tool>& called,
+                        const Resolver& resolved) {
+  try {
+    const Part part = resolved(asked).part;
+    return std::any_of(part.workplan.begin(), part.workplan.end(), [&](const Workingstep& step) {
+      return step.operation.rest && !tool_numbered(called, tool_of(part, step).number);
+    });
+  } catch (const InputError&) {
+    return false;
+  }
 }
 
 /// The question with the tools called by the program; with all given tools if the part, or one of its features, cannot be made with
@@ -184,7 +191,7 @@ ResolvedPlan resolved_for(const Toolpath& toolpath, resolve::PlanOptions& asked,
     ResolvedPlan plan = resolved(called);
     if (leaves_a_feature_out(plan.part, asked.tools, plan.tol) ||
         leaves_a_rest_out(plan.part, asked, plan.tol) ||
-        (wants_all_in_reach(asked) && has_rest_of_others(resolved(asked).part, called.tools)))
+        (wants_all_in_reach(asked) && has_rest_of_others(asked, called.tools, resolved)))
       return resolved(asked);
     asked = std::move(called);
     return plan;
