@@ -103,17 +103,9 @@ constexpr Needs kNeeds[] = {
     {"gouge_mm", "gouge_at"},
     {"engagement/max_deg", "engagement/max_at"},
     {"entries/max_deg", "entries/max_at"},
-    {"entries/max_deg", "entries/length_mm"},
-    {"entries/max_axial_mm", "entries/length_mm"},
-    {"entries/count", "entries/length_mm"},
     {"turn_angle_deg", "turns"},
     {"retracts", "feed_mm"},
-    {"feed_mm", "time_naive_s"},
     {"load/max_force_n", "load/max_force_at"},
-    {"load/removed_mm3", "load/max_force_n"},
-    {"load/max_force_n", "load/max_power_w"},
-    {"load/max_power_w", "load/energy_j"},
-    {"load/energy_j", "load/removed_mm3"},
 };
 
 /// Whether something is there: a number above 0, or a place.
