@@ -147,6 +147,24 @@ TEST(Engraving, LinesAreEngravedWithBitsAndBalls) {
   }
 }
 
+/// A mill that runs along the line instead of the given tip cuts another groove than is meant.
+TEST(Engraving, AMillInsteadOfTheGivenTipIsACondition) {
+  const Part part = drawn(outline("ENGRAVE_D0.4", {{{0, 0}}, {{30, 0}}, {{30, 20}}, {{0, 20}}}));
+  for (const char* tip : {"ball:2", "vbit:60deg:6"}) {
+    const PlanResult planned = plan_part(part, with({"endmill:6"}));
+    const CheckResult alone = check_program(part, planned.program, "mill.ngc", with({"endmill:6"}));
+    EXPECT_EQ(verdict_of(alone.findings), Verdict::kClean);
+    auto options = with({"endmill:6", tip});
+    const CheckResult checked = check_program(part, planned.program, "mill.ngc", options);
+    EXPECT_EQ(verdict_of(checked.findings), Verdict::kConditional);
+    ASSERT_EQ(checked.findings.conditions.size(), 1u);
+    EXPECT_EQ(checked.findings.conditions[0].name, "engraved-by-mill");
+    options.accept = {"engraved-by-mill"};
+    EXPECT_EQ(verdict_of(check_program(part, planned.program, "mill.ngc", options).findings),
+              Verdict::kClean);
+  }
+}
+
 TEST(Engraving, TooDeepBesideTheLineOrNotAllOfItIsFaulty) {
   const auto options = with({"vbit:60deg:6"});
   const Part part = drawn(line("ENGRAVE_D0.4", {5, 4}, {85, 4}));

@@ -135,25 +135,69 @@ bool leaves_a_rest_out(const Part& part, const resolve::PlanOptions& asked, cons
   });
 }
 
+std::string name_and_size(const Tool& tool) {
+  return fmt::format("T{} ({} {} mm)", tool.number, name_of(tool.kind), trimmed(tool.diameter, 3));
+}
+
+/// Lines that mills engrave, where one of `tools`, the given ones, is a V-bit or a ball that would: their grooves are wider.
+std::vector<Condition> engraved_by_mills(const ResolvedPlan& plan, const std::vector<Tool>& tools) {
+  std::vector<Condition> conditions;
+  for (const Workingstep& step : plan.part.workplan) {
+    const Feature& feature = feature_of(plan.part, step);
+    const Tool& tool = tool_of(plan.part, step);
+    if (feature.kind != FeatureKind::kEngraving || tools.empty() || is_carved(feature, tool)) continue;
+    const Tool& engraver = tools[static_cast<std::size_t>(features::tool_for(feature, tools, {}, plan.tol))];
+    if (!is_carved(feature, engraver)) continue;
+    conditions.push_back({"engraved-by-mill",
+                          feature.name + ": " + name_and_size(tool) +
+                              " cuts a groove as wide as it is; the program does not call " +
+                              name_and_size(engraver) + ", which is given and engraves",
+                          0, ""});
+  }
+  return conditions;
+}
+
 /// Decides every value of a question with other options.
 using Resolver = std::function<ResolvedPlan(const resolve::PlanOptions&)>;
+
+/// Whether the question wants all that the given tools reach: with --rest, and where what is out of reach is accepted, which no given
+/// tool must then reach.
+bool wants_all_in_reach(const resolve::PlanOptions& asked) {
+  const std::vector<std::string>& accepted = asked.accept;
+  return asked.shop.rest.value_or(false) ||
+         std::find(accepted.begin(), accepted.end(), "out-of-reach") != accepted.end();
+}
+
+/// Whether a plan with all given tools has a step for what wider mills leave whose tool is not among the `called` ones; false where
+/// there is no such plan.
+bool has_rest_of_others(const resolve::PlanOptions& asked, const std::vector<Tool>& called,
+                        const Resolver& resolved) {
+  try {
+    const Part part = resolved(asked).part;
+    return std::any_of(part.workplan.begin(), part.workplan.end(), [&](const Workingstep& step) {
+      return step.operation.rest && !tool_numbered(called, tool_of(part, step).number);
+    });
+  } catch (const InputError&) {
+    return false;
+  }
+}
 
 /// The question with the tools called by the program; with all given tools if the part, or one of its features, cannot be made with
 /// only the called ones, because the program leaves work out. `asked` becomes the resolved options.
 ResolvedPlan resolved_for(const Toolpath& toolpath, resolve::PlanOptions& asked, const Resolver& resolved) {
   resolve::PlanOptions called = with_tools_of(toolpath, asked);
-  if (called.tools.size() < asked.tools.size()) {
-    try {
-      ResolvedPlan plan = resolved(called);
-      if (!leaves_a_feature_out(plan.part, asked.tools, plan.tol) &&
-          !leaves_a_rest_out(plan.part, asked, plan.tol)) {
-        asked = std::move(called);
-        return plan;
-      }
-    } catch (const InputError&) {  // reported below if it also fails with all tools
-    }
+  if (called.tools.size() == asked.tools.size()) return resolved(asked);
+  try {
+    ResolvedPlan plan = resolved(called);
+    if (leaves_a_feature_out(plan.part, asked.tools, plan.tol) ||
+        leaves_a_rest_out(plan.part, asked, plan.tol) ||
+        (wants_all_in_reach(asked) && has_rest_of_others(asked, called.tools, resolved)))
+      return resolved(asked);
+    asked = std::move(called);
+    return plan;
+  } catch (const InputError&) {  // reported below if it also fails with all tools
+    return resolved(asked);
   }
-  return resolved(asked);
 }
 
 /// Values stated for the tool of a workingstep of `prepared` take precedence over those of `stated`, the step as read
@@ -422,6 +466,7 @@ CheckResult check_resolved(const Part& part, const ProgramText& text, const reso
   require_tools(!options.tools.empty() || !part.tools.empty(), read.toolpath, text);
   CheckResult result;
   resolve::PlanOptions asked = numbered_by(read.toolpath, options);
+  const std::vector<Tool> asked_tools = asked.tools;
   if (!resolved) resolved = resolved_for(called_by(read.toolpath, first), asked, resolve_part);
   take_first(*resolved, first);
   const ResolvedPlan& plan = *resolved;
@@ -449,6 +494,8 @@ CheckResult check_resolved(const Part& part, const ProgramText& text, const reso
                                         shifted.dialect, plan, stated);
                  return WornProgram{std::move(shifted.toolpath), std::move(found)};
                });
+  for (Condition& one : engraved_by_mills(plan, asked_tools))
+    result.findings.conditions.push_back(std::move(one));
   add_conditions_of_part(result.part, result.toolpath, plan, result.findings);
   add_not_machined(result.part.diagnostics, result.findings);
   result.margin = margin_asked({result.part, result.toolpath, result.control}, plan, result.findings);

@@ -300,6 +300,65 @@ TEST(HolePlan, ACountersinkHasItsDiameterAtTheTop) {
               HasSubstr("it needs a cone at least 9 mm wide"));
 }
 
+/// Coarse digits move the place and the depth of a cone: both together leave less than a gouge, also where the control may round corners.
+TEST(HolePlan, CountersinksKeepOffTheirConeByTheDigitsOfTheControl) {
+  for (const char* cone : {"chamfer:82deg:12:tip=0.4", "vbit:100deg:14", "spotdrill:120deg:16"}) {
+    for (const char* control : {"haas", "fanuc", "siemens"}) {
+      for (const bool inch : {false, true}) {
+        std::string holes = kBlock;
+        for (const Vec2 at : {Vec2{-8.00049, -7.31351}, Vec2{7.3145, 8.20449}})
+          holes += circle("CSK_DIA9", at, 4.5) + circle("DRILL_THRU", at, 2.5);
+        auto options = with({cone, "drill:5"});
+        options.post.dialect = control;
+        options.post.inch = inch;
+        const PlanResult result = plan_part(drawn(holes), options);
+        EXPECT_EQ(verdict_of(result.findings), Verdict::kClean)
+            << cone << " " << control << (inch ? " inch " : " mm ") << faults_of(result.findings);
+      }
+    }
+  }
+}
+
+/// A point that would come out below the material: the hole is milled, or left with all steps on its axis, and the rest is made.
+TEST(HolePlan, WhatWouldComeOutBelowTheMaterialIsMilledOrLeft) {
+  struct Row {
+    const char* hole;
+    double radius;
+    std::vector<std::string> tools;
+    std::size_t left;  ///< steps
+  };
+  const Row rows[] = {{"DRILL_D11.5", 3, {"drill:6:118deg", "endmill:5"}, 0},
+                      {"DRILL_D11.5", 3, {"drill:6:118deg", "endmill:8"}, 1},
+                      {"DRILL_D11.5", 3, {"drill:6:118deg", "endmill:8", "spotdrill:90deg:8"}, 1},
+                      {"REAM_DIA6_D11.5", 3, {"drill:5.8", "reamer:6", "endmill:8"}, 2},
+                      {"REAM_DIA6_D11.5", 3, {"drill:5.8", "reamer:6", "endmill:4"}, 0},
+                      {"TAP_M6_D11", 3, {"drill:5", "tap:M6", "endmill:8"}, 2},
+                      {"THREAD_M16_D11", 8, {"endmill:8", "threadmill:8"}, 2}};
+  for (const Row& row : rows) {
+    const Part part =
+        drawn(kBlock + circle(row.hole, {-8, -8}, row.radius) + rounded_box("POCKET_D2", 2, 2, 18, 18, 5));
+    const PlanResult result = plan_part(part, with(row.tools));
+    const CheckResult checked = check_program(part, result.program, "hole.ngc", with(row.tools));
+    for (const Findings* found : {&result.findings, &checked.findings}) {
+      EXPECT_EQ(verdict_of(*found), row.left > 0 ? Verdict::kConditional : Verdict::kClean)
+          << row.hole << " " << row.tools[1] << " " << faults_of(*found);
+      EXPECT_EQ(open_conditions(*found).size(), row.left) << row.hole << " " << row.tools[1];
+    }
+  }
+}
+
+/// Holes that a mill bores before another tool keep no stock for finishing.
+TEST(HolePlan, HolesBeforeAnotherToolAreNotFinished) {
+  auto options = with({"endmill:6", "boringbar:14", "threadmill:8"});
+  options.shop.finish = "all";
+  expect_clean(plan_part(drawn(kBlock + circle("BORE_D5", {-8, -8}, 7) + circle("THREAD_M16_D4", {9, 9}, 8)),
+                         options));
+}
+
+TEST(HolePlan, SpotsAreMadeByConesThatCutWithTheirTips) {
+  expect_clean(plan_part(with_circle("SPOT", 3), with({"chamfer:90deg:6:tip=0.4", "vbit:90deg:12"})));
+}
+
 TEST(HolePlan, TapsFeedTheirPitchAndComeBackTurningTheOtherWay) {
   const Part part = with_circle("TAP_M6_D7", 6);
   const auto options = with({"drill:5", "tap:M6:floating"});

@@ -57,6 +57,28 @@ TEST(OutOfReach, IsAPocketDeeperThanTheFlutesBesideWorkThatIsDone) {
   }
 }
 
+/// The program up to the last change of its tool, and its end.
+std::string without_last_tool(const std::string& program) {
+  const std::size_t change = program.rfind("(TOOL CHANGE"), end = program.rfind("M5\n");
+  return program.substr(0, change) + program.substr(end);
+}
+
+/// What is accepted as out of reach is what no given tool reaches as a plan would use it.
+TEST(OutOfReach, AcceptedIsNotWhatAGivenToolWouldReach) {
+  const Part part = drawn(box("POCKET_D2", 0, 0, 30, 24));
+  auto options = with({"endmill:12", "endmill:3"});
+  options.shop.rest = true;
+  options.accept = {"out-of-reach"};
+  const PlanResult planned = plan_part(part, options);
+  EXPECT_EQ(verdict_of(planned.findings), Verdict::kClean) << faults_of(planned.findings);
+  EXPECT_EQ(verdict_of(check_program(part, planned.program, "whole.ngc", options).findings), Verdict::kClean);
+  const std::string wider = without_last_tool(planned.program);
+  EXPECT_TRUE(has(check_program(part, wider, "wider.ngc", options).findings, FaultKind::kUncut));
+  options.tools.pop_back();
+  options.shop.rest.reset();
+  EXPECT_EQ(verdict_of(check_program(part, wider, "wider.ngc", options).findings), Verdict::kClean);
+}
+
 /// A hole in the floor of a pocket, deeper than its drill, is left out; drilled as deep as the drill goes it is faulty.
 TEST(OutOfReach, IsAHoleUnderAPocketDeeperThanItsDrill) {
   const Part part = drawn(box("STOCK_D30", -9, -9, 39, 29) + box("POCKET_D5", 0, 0, 30, 20) +
@@ -255,6 +277,25 @@ TEST(OutOfReach, IsTheFloorBesideAFilletWhereABallMakesBoth) {
   };
   EXPECT_THAT(says({"ball:3"}), HasSubstr("which ends in a ball"));
   EXPECT_EQ(says({"bullnose:6:corner=1.5"}), "");
+}
+
+/// A flat end mill clears the floor off the fillet, and the ball makes the fillet alone; alone the mill leaves the fillet standing.
+TEST(OutOfReach, IsLittleOfAFilletedFloorThatAFlatEndAndABallMake) {
+  Part part = drawn(box("POCKET_D4", 0, 0, 24, 20));
+  part.features.front().floor_fillet = 1.5;
+  for (const bool rest : {false, true}) {
+    auto options = with({"endmill:6", "ball:3"});
+    options.shop.rest = rest;
+    const PlanResult both = plan_part(part, options);
+    EXPECT_EQ(verdict_of(both.findings), Verdict::kClean) << faults_of(both.findings);
+    ASSERT_EQ(both.part.workplan.size(), 2u);
+    EXPECT_EQ(verdict_of(check_program(part, both.program, "fillet.ngc", options).findings), Verdict::kClean);
+    const PlanResult ball = plan_part(part, with({"ball:3"}));
+    EXPECT_LT(both.findings.all.time_s, 0.8 * ball.findings.all.time_s);
+  }
+  const PlanResult flat = plan_part(part, with({"endmill:6"}));
+  EXPECT_EQ(verdict_of(flat.findings), Verdict::kConditional) << faults_of(flat.findings);
+  EXPECT_EQ(flat.findings.all.gouge_mm, 0);
 }
 
 /// At the top of a pocket less deep than its radius a ball is narrower than its distance from the walls: its passes lie nearer to each

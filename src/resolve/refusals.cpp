@@ -82,15 +82,20 @@ void refuse_above_stock(const Part& part, const Workingstep& step) {
   refuse_spent_hole(feature_of(part, step));
 }
 
+/// Where the feature itself ends: above the end of a tool that goes deeper.
+double asked_floor(const Feature& feature) {
+  return feature.hole ? std::max(feature.floor_z, feature.hole->full_z) : feature.floor_z;
+}
+
 void refuse_below_stock(const Part& part, const Feature& feature) {
-  if (!part.stock || feature.through) return;
-  const double below = part.stock->z_bottom - feature.floor_z;
-  if (below <= kBelowStock) return;
+  const double floor = asked_floor(feature);
+  if (!comes_out_below(part, feature, floor)) return;
   throw InputError(
       name_and_place(feature),
       fmt::format("its floor at z {} lies {} mm below the material, which ends at z {}; give less "
                   "depth or thicker stock",
-                  trimmed(feature.floor_z, 3), trimmed(below, 3), trimmed(part.stock->z_bottom, 3)));
+                  trimmed(floor, 3), trimmed(part.stock->z_bottom - floor, 3),
+                  trimmed(part.stock->z_bottom, 3)));
 }
 
 void refuse_beside_stock(const Part& part, const Feature& feature) {
@@ -171,8 +176,36 @@ std::optional<std::string> beyond_flutes(const Part& part, const Workingstep& st
       trimmed(tool.diameter, 4), trimmed(longest_with_tool_of(part, step, tol), 3));
 }
 
-void refuse_beyond_flutes(const Part& part, const Workingstep& step, const Tolerances& tol) {
-  if (const auto why = beyond_flutes(part, step, tol)) throw InputError(feature_of(part, step).name, *why);
+/// z of the tool's tip in a hole: a drill whose angle is stated goes deeper than a plain hole by its point.
+double tip_in_hole(const Feature& feature, const Tool& tool) {
+  const bool is_plain = feature.kind == FeatureKind::kRoundHole && !feature.hole;
+  return is_plain && tool.kind == ToolKind::kDrill && tool.tip_angle ? feature.floor_z - point_length(tool)
+                                                                     : feature.floor_z;
+}
+
+/// Why the end of the step's tool, which goes deeper than the hole, has no room in the material; nothing if it has.
+std::optional<std::string> below_material(const Part& part, const Workingstep& step) {
+  const Feature& feature = feature_of(part, step);
+  const Tool& tool = tool_of(part, step);
+  const double tip = tip_in_hole(feature, tool);
+  if (!comes_out_below(part, feature, tip) || comes_out_below(part, feature, asked_floor(feature)))
+    return std::nullopt;
+  return fmt::format(
+      "the end of T{} ({} {} mm) goes down to z {}, {} mm below the material, which ends at z {}; give less "
+      "depth, "
+      "thicker stock, or an end mill that fits",
+      tool.number, name_of(tool.kind), trimmed(tool.diameter, 3), trimmed(tip, 3),
+      trimmed(part.stock->z_bottom - tip, 3), trimmed(part.stock->z_bottom, 3));
+}
+
+/// Why the step's tool does not make its feature; nothing if it does.
+std::optional<std::string> why_not_made(const Part& part, const Workingstep& step, const Tolerances& tol) {
+  if (auto why = beyond_flutes(part, step, tol)) return why;
+  return below_material(part, step);
+}
+
+void refuse_unmade(const Part& part, const Workingstep& step, const Tolerances& tol) {
+  if (const auto why = why_not_made(part, step, tol)) throw InputError(feature_of(part, step).name, *why);
 }
 
 double widest_radius(const Part& part) {
@@ -289,14 +322,14 @@ void refuse_plunges(const Part& part, const PlanOptions& options) {
 /// Reasons other than the length of the tool.
 void refuse_place_or_kind(const Part& part, const Workingstep& step) {
   refuse_beside_stock(part, feature_of(part, step));
-  refuse_below_stock(part, feature_of(part, step));
   refuse_wrong_kind(part, step);
   refuse_under_clamps(part, step);
 }
 
 void refuse_step(const Part& part, const Workingstep& step, const Tolerances& tol) {
   refuse_place_or_kind(part, step);
-  refuse_beyond_flutes(part, step, tol);
+  refuse_below_stock(part, feature_of(part, step));
+  refuse_unmade(part, step, tol);
 }
 
 /// A workingstep on one of its features.
@@ -402,43 +435,73 @@ void tell_of_shallow(Part& part, const Tolerances& tol) {
 
 namespace {
 
+/// The axis of a hole; nothing for other features.
+std::optional<Vec2> axis_of(const Feature& feature, const Tolerances& tol) {
+  if (feature.hole) return feature.hole->center;
+  if (feature.kind != FeatureKind::kRoundHole) return std::nullopt;
+  const auto round = features::round_hole_of(feature, tol);
+  return round ? std::optional(round->center) : std::nullopt;
+}
+
+/// Whether both are steps of one hole, such as its spot, its drill and its tap.
+bool are_of_one_hole(const Feature& a, const Feature& b, const Tolerances& tol) {
+  const std::optional<Vec2> one = axis_of(a, tol), other = axis_of(b, tol);
+  return one && other && distance(*one, *other) < kLevel;
+}
+
 /// Whether planning other features rests on material that is gone with this one: they begin at its floor, or lie beside it
 /// without a wall between.
 bool is_rested_on(const Part& part, const Feature& feature, const Tolerances& tol) {
   const Regions around = dilate(feature.target, kBeside, tol);
   return std::any_of(part.workplan.begin(), part.workplan.end(), [&](const Workingstep& step) {
     const Feature& other = feature_of(part, step);
-    if (&other == &feature || other.floor_z >= feature.top_z - kLevel) return false;
+    if (&other == &feature || other.floor_z >= feature.top_z - kLevel || are_of_one_hole(other, feature, tol))
+      return false;
     return box(other.target).overlaps(box(around)) && !intersect(other.target, around, tol).empty();
   });
 }
 
-/// Whether the feature may be left out alone: a pocket or a plain hole.
+/// Whether the feature may be left out alone, or with the other steps of its hole: a pocket or a hole.
 bool may_be_left_out(const Part& part, const Workingstep& step, const Tolerances& tol) {
   const Feature& feature = feature_of(part, step);
-  return !is_of_program(step) && !feature.profile && !feature.hole && !feature.chamfer &&
-         !is_formed(feature) && !is_carved(feature, tool_of(part, step)) && !is_rested_on(part, feature, tol);
+  const bool is_external = feature.hole && feature.hole->external;
+  return !is_of_program(step) && !feature.profile && !is_external && !feature.chamfer &&
+         !is_carved(feature, tool_of(part, step)) && !is_rested_on(part, feature, tol);
 }
 
 struct Reach {
-  std::vector<std::string>
-      beyond;          ///< for each workingstep why its flutes are too short; "" where they are not
-  std::set<int> made;  ///< features that some step reaches
+  std::vector<std::string> beyond;  ///< for each workingstep why its tool does not make it; "" where it does
+  std::set<int> made;               ///< features that some step reaches
 };
 
 Reach reach_of(const Part& part, const Tolerances& tol) {
   Reach reach;
   for (const Workingstep& step : part.workplan) {
-    reach.beyond.push_back(beyond_flutes(part, step, tol).value_or(""));
+    reach.beyond.push_back(why_not_made(part, step, tol).value_or(""));
     if (reach.beyond.back().empty()) reach.made.insert(step.feature);
   }
   return reach;
+}
+
+/// Of a hole of which one step is not made no step is.
+void leave_out_whole_holes(const Part& part, const Tolerances& tol, Reach& reach) {
+  const std::vector<std::string> own = reach.beyond;
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    const Feature& unmade = feature_of(part, part.workplan[i]);
+    if (own[i].empty() || reach.made.contains(part.workplan[i].feature) || !axis_of(unmade, tol)) continue;
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      if (!own[k].empty() || !are_of_one_hole(feature_of(part, part.workplan[k]), unmade, tol)) continue;
+      reach.beyond[k] = "it is left out with " + unmade.name;
+      reach.made.erase(part.workplan[k].feature);
+    }
+  }
 }
 
 }  // namespace
 
 std::vector<std::string> unreached_steps(const Part& part, const Tolerances& tol) {
   Reach reach = reach_of(part, tol);
+  leave_out_whole_holes(part, tol, reach);
   for (std::size_t i = 0; i < reach.beyond.size(); ++i) {
     const Workingstep& step = part.workplan[i];
     if (!reach.beyond[i].empty() &&
@@ -446,6 +509,10 @@ std::vector<std::string> unreached_steps(const Part& part, const Tolerances& tol
       reach.beyond[i].clear();
   }
   return std::move(reach.beyond);
+}
+
+bool comes_out_below(const Part& part, const Feature& feature, double z) {
+  return part.stock && !feature.through && part.stock->z_bottom - z > kBelowStock;
 }
 
 bool reaches_floor(const Part& part, const Feature& feature, const Tool& tool) {
@@ -476,7 +543,9 @@ void refuse_what_cannot_be(const Part& part, const PlanOptions& options) {
   const std::vector<std::string> unreached = unreached_steps(part, options.tol);
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
     refuse_place_or_kind(part, part.workplan[i]);
-    if (unreached[i].empty()) refuse_beyond_flutes(part, part.workplan[i], options.tol);
+    if (!unreached[i].empty()) continue;
+    refuse_below_stock(part, feature_of(part, part.workplan[i]));
+    refuse_unmade(part, part.workplan[i], options.tol);
   }
   refuse_plunges(part, options);
   refuse_allowance_as_deep(part, options.tol);

@@ -11,13 +11,18 @@
 namespace clearcut::resolve {
 
 /// For each workingstep of `part`, as prepared, why it is left out although other steps are made: its feature lies deeper
-/// than the flutes of its tools reach, in all of its steps. "" for all other steps, for workingsteps of a STEP-NC program, profiles and features
-/// with a form of their own, and where other work rests on the feature: such a part is refused as a whole.
+/// than the flutes of its tools reach, or the end of its tool would come out below the material, in all of its steps; or another step of the same
+/// hole is left out. "" for all other steps, for workingsteps of a STEP-NC program, profiles, chamfers and carvings,
+/// and where other work rests on the feature: such a part is refused as a whole.
 std::vector<std::string> unreached_steps(const Part& part, const Tolerances& tol);
 
 /// Whether the tool's flutes reach the feature's floor from the top of the part, or, where their length is not stated,
 /// the feature is no deeper than such tools usually go.
 bool reaches_floor(const Part& part, const Feature& feature, const Tool& tool);
+
+/// Whether a tool that makes the feature, which does not go through, comes out below the material with its tip at z: the surface below
+/// the board bears only a little.
+bool comes_out_below(const Part& part, const Feature& feature, double z);
 
 /// Takes those of the workingsteps named by `rests` out of the workplan of `part` whose tools are too short for a floor that
 /// another step reaches, each an open condition "out-of-reach".

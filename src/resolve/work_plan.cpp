@@ -78,9 +78,12 @@ bool has_rest_steps(const Part& part, const Workingstep& step, bool is_over_anot
   return is_over_another && step.operation.is_tool_chosen && feature.wall_slope.radians() == 0;
 }
 
-/// Whether `tool` reaches more than some cutter used on the feature of `step`.
+/// Whether `tool` reaches more than some cutter used on the feature of `step`, and is not used on it itself.
 bool reaches_more_than_before(const Part& part, const Workingstep& step, const Tool& tool) {
-  return std::any_of(part.workplan.begin(), part.workplan.end(), [&](const Workingstep& other) {
+  const bool is_used = std::any_of(part.workplan.begin(), part.workplan.end(), [&](const Workingstep& other) {
+    return other.feature == step.feature && &tool_of(part, other) == &tool;
+  });
+  return !is_used && std::any_of(part.workplan.begin(), part.workplan.end(), [&](const Workingstep& other) {
     return other.feature == step.feature && clears_floors(tool_of(part, other)) &&
            reaches_more(tool, tool_of(part, other));
   });
@@ -267,7 +270,62 @@ double wear_range_of(const ShopOptions& shop) {
   return shop.wear_range.value_or(kWearRange);
 }
 
+namespace {
+
+/// Whether the ball or bull-nose that makes the fillet between floor and walls is better preceded by the mill: it leaves cusps on the floor,
+/// or is narrower.
+bool roughs_for(const Tool& mill, const Tool& finisher, const Feature& feature) {
+  if (!clears_floors(mill) || flat_end(mill) <= 0 || mill.kind == ToolKind::kTapered) return false;
+  if (features::keeps_fillet(mill, feature)) return false;
+  return flat_end(finisher) <= 0 || mill.diameter > finisher.diameter;
+}
+
+/// The widest mill that roughs a feature whose fillet `finisher` makes, off the walls by the fillet; -1 if there is none.
+int roughing_mill(const Part& part, const Feature& feature, const Tool& finisher, const Tolerances& tol) {
+  const double fits = features::largest_fitting_diameter(feature, tol) - 2 * feature.floor_fillet;
+  int widest = -1;
+  for (std::size_t i = 0; i < part.tools.size(); ++i) {
+    const Tool& tool = part.tools[i];
+    if (!roughs_for(tool, finisher, feature) || tool.diameter > fits || !reaches_floor(part, feature, tool) ||
+        !features::has_room_to_enter(feature, tool, tol))
+      continue;
+    if (widest < 0 || tool.diameter > part.tools[static_cast<std::size_t>(widest)].diameter)
+      widest = static_cast<int>(i);
+  }
+  return widest;
+}
+
+/// Puts a mill with a flat end before the tool of a fillet between floor and walls, which then cuts what the mill has left.
+void rough_before_fillets(Part& part, const PlanOptions& options, StepSources& sources) {
+  std::vector<Workingstep> all;
+  for (const Workingstep& step : part.workplan) {
+    const Feature& feature = feature_of(part, step);
+    const bool is_filleted = feature.floor_fillet > 0 && step.operation.is_tool_chosen && !feature.profile &&
+                             feature.wall_slope.radians() == 0 &&
+                             features::makes_fillet(tool_of(part, step), feature);
+    const int mill = is_filleted ? roughing_mill(part, feature, tool_of(part, step), options.tol) : -1;
+    if (mill < 0) {
+      all.push_back(step);
+      continue;
+    }
+    Workingstep rough = step;
+    change_tool(rough.operation, mill, part, options);
+    sources[step_key(rough)].set("tool", {Origin::kDerived, "a flat end before the tool of the fillet"});
+    all.push_back(rough);
+    all.push_back(rest_step(rough, step.operation.tool, part, options, sources));
+  }
+  part.workplan = std::move(all);
+}
+
+/// Whether a mill bores the hole for a tap, a reamer, a boring bar or a thread mill, which finishes it.
+bool comes_before_another_tool(const Feature& feature) {
+  return feature.hole && feature.hole->kind == HoleKind::kDrilled;
+}
+
+}  // namespace
+
 void add_rest_steps(Part& part, const PlanOptions& options, StepSources& sources) {
+  rough_before_fillets(part, options, sources);
   std::vector<std::vector<Workingstep>> before(part.workplan.size());
   std::vector<std::pair<int, Workingstep>> at_end;  // steps at the end by mill, widest first
   const auto mills = mills_of(part.tools);
@@ -314,6 +372,7 @@ void add_finishing_steps(Part& part, const PlanOptions& options, StepSources& so
   const Finish finish = finish_of(shop);
   std::vector<Workingstep> floors, walls;
   for (const Workingstep& last : last_milling_steps(part)) {
+    if (comes_before_another_tool(feature_of(part, last))) continue;
     const auto hole = features::round_hole_of(feature_of(part, last), options.tol);
     if (hole && features::makes_hole(tool_of(part, last), *hole, options.tol)) continue;
     if (finish != Finish::kWalls) add_floor_steps(part, last.feature, shop, floors, sources);

@@ -168,11 +168,13 @@ void keep_deeper(std::optional<Gouge>& gouge, const std::optional<Gouge>& other)
   if (other && (!gouge || other->depth > gouge->depth)) gouge = other;
 }
 
-/// Adds the gouge of a cutter with flanks for the permitted deviation of the control from its path.
+/// Adds the gouge of a cutter with flanks for the permitted deviation of the control from its path. Where a vertical move begins or ends,
+/// a rounded corner leads over places at which the other moves of the corner are deeper.
 void check_shaped_liberty(const FinishedParts& finished, const std::vector<CheckedMove>& all,
                           CheckedMove& checked, const Tolerances& tol) {
   const double before = &checked == all.data() ? 0 : (&checked - 1)->path_tolerance;
-  const double off = std::max({checked.doubt, checked.path_tolerance, before});
+  const double rounds = checked.move->is_vertical() ? 0 : std::max(checked.path_tolerance, before);
+  const double off = std::max(checked.doubt, rounds);
   if (off <= 0) return;
   // Off its path in any direction of space, also downwards, a flank comes nearer sideways by this at most.
   const double aside = off * base::hypot(1.0, flank_slope(*checked.tool));

@@ -53,6 +53,12 @@ void check_file(const std::string& what, const std::string& path, const std::str
   if (found != wanted) faults.push_back(what + " " + path + " is not the one that was certified");
 }
 
+/// The hash of the motion follows from the text of the certified program.
+void check_motion(const std::string& path, const Json& program, std::vector<std::string>& faults) {
+  if (sha256_hex(report::motion_text(read_file(path))) != program.at("motion_sha256").get<std::string>())
+    faults.push_back("contradicts itself: /program/motion_sha256: is not that of the program");
+}
+
 /// A given part whose name matches no input is the part itself under another name.
 void check_inputs(const Json& certificate, const CheckCommand& command, std::vector<std::string>& faults) {
   const Json& inputs = certificate.at("inputs");
@@ -64,8 +70,10 @@ void check_inputs(const Json& certificate, const CheckCommand& command, std::vec
   }
   const Json& program = certificate.at("program");
   const std::string path = command.program.empty() ? program.at("name").get<std::string>() : command.program;
-  if (!path.empty() && path != "-")
-    check_file("program", path, program.at("sha256").get<std::string>(), faults);
+  if (path.empty() || path == "-") return;
+  const std::size_t before = faults.size();
+  check_file("program", path, program.at("sha256").get<std::string>(), faults);
+  if (faults.size() == before) check_motion(path, program, faults);
 }
 
 /// The recorded arguments, with the files given now.

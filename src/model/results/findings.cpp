@@ -37,7 +37,8 @@ constexpr std::array kRows{
     // Shapes of the part that the program does not make, or makes differently.
     ConditionRow{"out-of-reach"}, ConditionRow{"not-parted"}, ConditionRow{"not-as-drawn"},
     ConditionRow{"left-out"}, ConditionRow{"loose-part"}, ConditionRow{"not-followed"},
-    ConditionRow{"leaning-walls"}, ConditionRow{"floors-meet"}, ConditionRow{"margin"}};
+    ConditionRow{"leaning-walls"}, ConditionRow{"floors-meet"}, ConditionRow{"engraved-by-mill"},
+    ConditionRow{"margin"}};
 
 /// Whether `name` is the pattern with a number in place of each `#`.
 bool fits(std::string_view pattern, std::string_view name) {

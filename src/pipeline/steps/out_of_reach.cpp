@@ -322,7 +322,7 @@ std::vector<Condition> doubts(const Part& part) {
   return conditions;
 }
 
-/// The widest available mill narrower than those used on the feature; null if there is none.
+/// The widest available mill narrower than those used on the feature, which keeps a fillet that is asked for; null if there is none.
 const Tool* narrower_mill(const Part& part, const FeatureFindings& found) {
   const int feature = part.workplan[static_cast<std::size_t>(found.workingstep)].feature;
   double least = found.tool_diameter;
@@ -332,6 +332,7 @@ const Tool* narrower_mill(const Part& part, const FeatureFindings& found) {
   for (const Tool& tool : part.tools) {
     const bool is_narrower =
         mills_upright(tool) && tool.diameter < least - kSaid &&
+        features::keeps_fillet(tool, part.features[static_cast<std::size_t>(feature)]) &&
         resolve::reaches_floor(part, part.features[static_cast<std::size_t>(feature)], tool);
     if (is_narrower && (!widest || tool.diameter > widest->diameter)) widest = &tool;
   }

@@ -92,6 +92,15 @@ double off_path(int index, const ResolvedPlan& plan) {
   return wears ? std::max(error, wear->range) : error;
 }
 
+/// Keeps a corner sharper than the fillet between the feature's floor and walls off the fillet, at the height of the layer. Where another
+/// tool makes the fillet, or none does, the rest is left.
+void keep_off_fillet(Layer& layer, const Feature& feature, double corner, const Tolerances& tol) {
+  const double off = features::clear_of_fillet(feature.floor_fillet, corner, layer.z - feature.floor_z);
+  if (off <= 0) return;
+  layer.allowed = inset(layer.allowed, off, tol);
+  layer.target = intersect(layer.target, layer.allowed, tol);
+}
+
 /// The layers of one workingstep over which something still stands. Open features cut only that, and pockets of which
 /// nothing but stock of earlier work is left; in others the walls bound every pass, so the whole layer is cut.
 std::vector<Layer> standing_layers(int index, const ResolvedPlan& plan, double reserve_share) {
@@ -146,6 +155,7 @@ std::vector<Layer> standing_layers(int index, const ResolvedPlan& plan, double r
       met.widen(layer);
     }
     layer.bare = bare;
+    keep_off_fillet(layer, feature, touch.round, plan.tol);
   }
   std::erase_if(layers, [](const Layer& layer) { return layer.target.empty(); });
   const double across = plan.steps[static_cast<std::size_t>(index)].cross_z;
@@ -242,7 +252,9 @@ std::vector<LayerLeft> layers_left(const std::vector<Layer>& layers, int index, 
   const std::optional<Toolpath> earlier = met ? plan.earlier : std::nullopt;
   std::vector<LayerLeft> out;
   RoomOfEarlierSteps rooms(plan, reserve_shares);
-  const bool runs_into_others = !MeetingPockets(part, index, plan.tol).empty();
+  // Earlier steps had less room than this one where others have opened its walls, or where they kept off a fillet.
+  const bool had_less_room =
+      !MeetingPockets(part, index, plan.tol).empty() || feature_of(part, step).floor_fillet > 0;
   for (std::size_t i = 0; i < layers.size(); ++i) {
     const bool last = i + 1 == layers.size();
     if (finishing && step.operation.kind == OperationKind::kBottomFinishing && !last) continue;
@@ -251,7 +263,7 @@ std::vector<LayerLeft> layers_left(const std::vector<Layer>& layers, int index, 
         finishing && last && !step.operation.rest && step.operation.kind != OperationKind::kSideFinishing;
     if (!whole_floor && (finishing || step.operation.rest || met)) {
       resolve::RoomBefore room;
-      if (runs_into_others) room = [&](int earlier_step) { return rooms(earlier_step, one.layer.z); };
+      if (had_less_room) room = [&](int earlier_step) { return rooms(earlier_step, one.layer.z); };
       const Regions left = resolve::left_over(part, index, one.layer, earlier, plan.tol, room);
       one.walls_only =
           finishing && is_wall_finishing(step, feature_of(part, step), left, last, one.layer, plan);

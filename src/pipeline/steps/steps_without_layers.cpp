@@ -199,9 +199,11 @@ double raise_of_depth(const ResolvedPlan& plan) {
   return kept_off(post::rounding_of_lines(plan.post) * std::sqrt(0.5), plan);  // along one axis
 }
 
-/// mm; rise of a cone for the same reason: rounding of its place also moves its flanks nearer.
+/// mm; rise of a cone for the same reason: rounding of its place moves its flanks nearer, and so does that of its depth.
 double raise_of_cone(const Tool& tool, const ResolvedPlan& plan) {
-  return raise_of_depth(plan) + kept_off(post::rounding_of_lines(plan.post), plan) / flank_slope(tool);
+  const double slope = flank_slope(tool);
+  const double nearer = post::rounding_of_lines(plan.post) + post::rounding_of_heights(plan.post) * slope;
+  return kept_off(nearer, plan) / slope;
 }
 
 link::ThreadWork thread_work(const Feature& feature, const Tool& tool, double off) {

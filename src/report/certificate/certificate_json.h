@@ -23,6 +23,9 @@ nlohmann::ordered_json certificate_file(const CertificateFile& file);
 nlohmann::ordered_json certificate_question(const Part& part, const Findings& findings,
                                             const CertificateInfo& info);
 
+/// What every check takes for granted, a sentence each.
+nlohmann::ordered_json certificate_assumptions();
+
 /// SHA-256 of a certificate without its `seal`.
 std::string seal_of(nlohmann::ordered_json certificate);
 

@@ -31,6 +31,12 @@ int best_tool(const std::vector<Tool>& tools, const std::function<bool(const Too
   return best;
 }
 
+/// Whether the flat tip of a cone does not cut into solid material.
+bool has_idle_tip(const Tool& tool) {
+  constexpr double kCuttingTip = 1;  // mm
+  return tool.tip_diameter > (tool.kind == ToolKind::kChamferMill ? 0 : kCuttingTip);
+}
+
 }  // namespace
 
 Pilot pilot_before(const Thread& thread) {
@@ -90,7 +96,10 @@ int cone_for(const std::vector<Tool>& tools, const HoleForm& hole, Radians lean)
         return is_conical(tool) && tool.diameter > hole.diameter - kSameWidth &&
                (lean.radians() == 0 || std::abs(tool.tip_angle->radians() / 2 - lean.radians()) < kSameLean);
       },
-      [&](const Tool& tool) { return tool.diameter + (tool.kind == first ? 0 : 1000); });
+      [&](const Tool& tool) {
+        const bool is_blunt = hole.kind == HoleKind::kSpotted && has_idle_tip(tool);
+        return tool.diameter + (tool.kind == first ? 0 : 1000) + (is_blunt ? 10000 : 0);
+      });
 }
 
 int drill_for(const std::vector<Tool>& tools, const Pilot& pilot) {

@@ -8,10 +8,12 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "features/round_hole.h"
+#include "features/tool_choice.h"
 #include "geometry/contours/boolean.h"
 #include "geometry/region.h"
 #include "resolve/features/hole_tools.h"
 #include "resolve/features/shaping.h"
+#include "resolve/unreached.h"
 #include "resolve/values/cutting_values.h"
 
 namespace clearcut::resolve {
@@ -144,10 +146,26 @@ class HoleShaper {
     const bool reaches = part_.stock && std::abs(feature.floor_z - part_.stock->z_bottom) < kSame;
     if (!reaches && !tool.tip_angle && spot_ < 0) return;
     if (!reaches && !tool.tip_angle) return add_spot(step, feature.floor_z);
+    if (!reaches && comes_out_below(part_, feature, feature.floor_z - point_length(tool)))
+      return mill_instead(step);
     feature.hole = HoleForm{HoleKind::kDrilled, round->center, 2 * round->radius, feature.floor_z,
                             std::nullopt,       false,         std::nullopt};
     feature.through = reaches;
     shape_cylinder(step);
+  }
+
+  /// Mills a hole whose drill would come out below the material, where a mill fits; else the hole stays with its drill, and is left.
+  void mill_instead(Workingstep& step) {
+    const Feature& feature = feature_of(step);
+    std::vector<char> drills;
+    for (const Tool& tool : part_.tools) drills.push_back(makes_holes(tool) ? 1 : 0);
+    if (std::all_of(drills.begin(), drills.end(), [](char drill) { return drill; })) return;
+    const int other = features::tool_for(feature, part_.tools, drills, options_.tol);
+    const Tool& mill = part_.tools[static_cast<std::size_t>(other)];
+    const double fits = features::largest_fitting_diameter(feature, options_.tol) + options_.tol.fit;
+    if (clears_floors(mill) && mill.diameter <= fits &&
+        features::has_room_to_enter(feature, mill, options_.tol))
+      take_tool(step, other);
   }
 
   /// Sets the depth to that of the finished width, plus `beyond` for the tool's end.
@@ -324,8 +342,12 @@ class HoleShaper {
   /// The hole before `step`, whole down to `full_z`.
   void add_pilot(const Workingstep& step, const Pilot& pilot, double full_z) {
     if (has_pilot(feature_of(step), pilot, full_z)) return;
-    const int drill = drill_for(part_.tools, pilot);
-    const int mill = drill < 0 ? mill_for(part_.tools, pilot) : -1;
+    int drill = drill_for(part_.tools, pilot);
+    const bool comes_out =
+        drill >= 0 && comes_out_below(part_, feature_of(step),
+                                      full_z - point_length(part_.tools[static_cast<std::size_t>(drill)]));
+    const int mill = drill < 0 || comes_out ? mill_for(part_.tools, pilot) : -1;
+    if (mill >= 0) drill = -1;
     if (drill < 0 && mill < 0)
       throw InputError(
           feature_of(step).name,
