@@ -43,7 +43,7 @@ struct CompensationRules {
   bool begins_in_plan = false;  ///< the first move after the word has to move X or Y by more than the radius
   /// radians; so much more than was programmed an arc may sweep before it counts as running round the other way.
   double more_sweep = 0.00628;
-  bool looks_at_all = true;     ///< a move that would run backwards stops the control wherever it is
+  bool looks_at_all = true;  ///< a move that would run backwards stops the control wherever it is
   bool exit_takes_height =
       false;  ///< the first move after the end goes to the programmed place, also where it says Z alone
   int most_still =

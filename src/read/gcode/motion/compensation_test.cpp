@@ -162,17 +162,17 @@ TEST(Compensation, WhatAControlStopsAtIsRefusedInOneLine) {
 /// Of an arc that begins 0.6 degrees early LinuxCNC's interpreter takes the contour in mm and stops at it in inches.
 TEST(Compensation, LinuxCncComparesSweepsInTheUnitOfTheProgram) {
   const auto contour = [](const std::string& word, double unit) {
-    const double places[][2] = {{-1.1927, -19.0868}, {-5.7116, -10.93},  {-10.8533, -10.1057},
-                                {-21.541, -12.1477}, {-33.747, 2.6161}};
+    const double places[][2] = {
+        {-1.1927, -19.0868}, {-5.7116, -10.93}, {-10.8533, -10.1057}, {-21.541, -12.1477}, {-33.747, 2.6161}};
     const auto place = [&](int k) {
       return "X" + trimmed(places[k][0] / unit, 7) + " Y" + trimmed(places[k][1] / unit, 7);
     };
     const auto center = [&](double i, double j) {
       return " I" + trimmed(i / unit, 7) + " J" + trimmed(j / unit, 7) + "\n";
     };
-    return word + " G17 G90 G91.1 G94 G61 F90\nT1 M6\nG0 X0 Y0 Z1\nG41\nG1 " + place(0) + "\n" + place(1) + "\nG3 " +
-           place(2) + center(-2.8939, -1.6032) + "G2 " + place(3) + center(-7.1651, 8.5113) + "G40\nG1 " + place(4) +
-           "\nM2\n";
+    return word + " G17 G90 G91.1 G94 G61 F90\nT1 M6\nG0 X0 Y0 Z1\nG41\nG1 " + place(0) + "\n" + place(1) +
+           "\nG3 " + place(2) + center(-2.8939, -1.6032) + "G2 " + place(3) + center(-7.1651, 8.5113) +
+           "G40\nG1 " + place(4) + "\nM2\n";
   };
   ReadControllerOptions options;
   options.dialect = Dialect::kLinuxCnc;
