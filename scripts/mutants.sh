@@ -71,6 +71,8 @@ mutant src/kinematics/kinematics.cpp 'time.cutting_s += 60 *' 'time.cutting_s +=
 mutant src/kinematics/kinematics.cpp 'published_time(60 * length_mm' 'published_time(60.6 * length_mm' kinematics_test 'PublishedTime.*'
 mutant src/order/objective.cpp 'seconds_per_mm_(60 /' 'seconds_per_mm_(60.6 /' pipeline_test "$constants"
 mutant src/order/objective.cpp '? 2 * tau_ : 0' '? 2.02 * tau_ : 0' pipeline_test "$constants"
+mutant src/features/derived_outlines.cpp 'below_top * base::tan(' '1.01 * below_top * base::tan(' pipeline_test "$constants"
+mutant src/order/moves.h 'kTurnThresholdDegrees = 0.1;' 'kTurnThresholdDegrees = 0.101;' order_test 'TurnAngle.*'
 
 [ "$survived" -eq 0 ] && echo 'every change of 1 % shows'
 exit "$survived"

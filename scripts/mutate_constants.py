@@ -22,6 +22,7 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 NUMBER = re.compile(r"(?<![\w.\"{%:'])(\d+\.?\d*(?:e-?\d+)?)(?![\w\"'])")
 PUBLISHED = ("pipeline_test", "PublishedConstants.*:Engagement*")
+GRID = ("tests/system_test", "*Interpolator*:*Reduction*:*Table1*:EdgePointSearch*:ElementJob*")
 # Source -> programs of tests, each with its filter.
 SOURCES = {
     "src/plan/contour/formulas.cpp": [("plan_test", "Formulas.*:SideOffsets.*:StepRule.*")],
@@ -32,8 +33,8 @@ SOURCES = {
     "src/plan/contour/published_rings.cpp": [("plan_test", "CornerLoop.*:Passages.*:MitredRings.*:MitredInset.*")],
     "src/order/moves.cpp": [("order_test", "Moves.*:TurnAngle.*:Problem.*")],
     "src/order/genetic/genetic.cpp": [("order_test", "Genetic.*")],
-    "src/order/genetic/operator_context.cpp": [("order_test", "Genetic.*:OperatorsOfTheReview.*:Mutation.*:LegalNeighbours.*")],
-    "src/order/genetic/operators.cpp": [("order_test", "Genetic.*:OperatorsOfTheReview.*:Mutation.*:LegalNeighbours.*")],
+    "src/order/genetic/operator_context.cpp": [("order_test", "OperatorsOfTheReview.*:Mutation.*:LegalNeighbours.*")],
+    "src/order/genetic/operators.cpp": [("order_test", "OperatorsOfTheReview.*:Mutation.*:LegalNeighbours.*")],
     "src/order/genetic/crossover/by_position.cpp": [("order_test", "Crossover.*:OperatorsOfTheReview.*")],
     "src/order/genetic/crossover/by_adjacency.cpp": [("order_test", "Crossover.*:OperatorsOfTheReview.*")],
     "src/order/genetic/pool.cpp": [("order_test", "Genetic.*:FirstPopulation.*:NearestPath.*")],
@@ -42,9 +43,9 @@ SOURCES = {
     "src/pipeline/tour/tour.cpp": [PUBLISHED, ("pipeline_test", "Tour*:PublishedGridPlan.*")],
     "src/pipeline/tour/tour_solver.cpp": [PUBLISHED, ("pipeline_test", "Tour*:PublishedGridPlan.*")],
     "src/pipeline/tool_sets.cpp": [PUBLISHED, ("pipeline_test", "Tool*")],
-    "src/plan/grid/interpolate.cpp": [PUBLISHED, ("pipeline_test", "Elements*:*Grid*")],
-    "src/plan/grid/visit.cpp": [PUBLISHED, ("pipeline_test", "Elements*:*Grid*")],
-    "src/plan/grid/shape.cpp": [("pipeline_test", "Elements*:*Grid*")],
+    "src/plan/grid/interpolate.cpp": [PUBLISHED, GRID],
+    "src/plan/grid/visit.cpp": [PUBLISHED, GRID],
+    "src/plan/grid/shape.cpp": [PUBLISHED, GRID],
     "src/plan/tour/lattice.cpp": [PUBLISHED, ("plan_test", "PlanTour.*")],
     "studies/genetic/genetic_study.cpp": [("studies_test", "GeneticStudy.*")],
     "studies/reproduce/reproduce_published.cpp": [("studies_test", "PublishedFishhead.*:Reproduction.*:Texts.*")],
@@ -152,7 +153,7 @@ class Trial:
 
     def is_killed(self, changed, tests):
         for program, names in tests:
-            out = self.folder / program
+            out = self.folder / program.replace("/", "_")
             if run(self.build.link_command(program, changed, out), self.build.folder) != 0:
                 raise SystemExit(f"{program} does not link")
             if run([str(out), "--gtest_brief=1", f"--gtest_filter={names}"], self.folder) != 0:

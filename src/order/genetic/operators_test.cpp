@@ -125,14 +125,51 @@ TEST_F(OperatorsOfTheReview, AgreementAndTurns) {
     EXPECT_TRUE(child.at(0) == a.at(0) || child.at(0) == b.at(0));
     EXPECT_TRUE(child.at(1) == a.at(0) || child.at(1) == b.at(0) || a.at(0) == b.at(0));
   });
+  int shortest = kGenes;
+  double mean = 0;
   each_child("mpx", [&](const Genome& a, const Genome& b, const Genome& child, const Moves&) {
     int run = 1;
     while (run < kGenes && b.place(child.at(run)) == b.place(child.at(run - 1)) + 1) ++run;
-    EXPECT_GE(run, 10);
+    shortest = std::min(shortest, run);
+    mean += run / 200.0;
     Tour rest;
     for (int p = run; p < kGenes; ++p) rest.push_back(a.place(child.at(p)));
     EXPECT_TRUE(std::is_sorted(rest.begin(), rest.end()));
   });
+  EXPECT_EQ(shortest, 10);
+  EXPECT_NEAR(mean, (10 + kGenes / 2) / 2.0, 0.25);
+}
+
+/// UPMX maps a third of the positions and one more, each by a number of its own.
+TEST(Crossover, UniformMappingTakesAThirdOfThePositions) {
+  const Problem problem = open_problem(30, 4);
+  const Moves moves(problem);
+  const OperatorContext context(moves, 24);
+  Random random(3);
+  const Genome a = random_genome(problem, random), b = random_genome(problem, random);
+  Random same(random.state());
+  Genome child;
+  crossover_named("upmx", context)->cross(a, b, random, child);
+  for (int i = 0; i < 1 + 30 / 3; ++i) context.any_position(same);
+  EXPECT_EQ(random.state(), same.state());
+}
+
+/// PSM switches a quarter of the genes of a stretch, each with any of it: 1 - 3/4 exp(-1/4) of them move.
+TEST(Mutation, PartialShuffleSwitchesAQuarter) {
+  const Problem problem = open_problem(400, 4);
+  const Moves moves(problem);
+  const OperatorContext context(moves, 24);
+  const auto mutation = mutation_named("partial-shuffle", context);
+  Random random(3);
+  const Genome genome = random_genome(problem, random);
+  double genes = 0, moved = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Rearrangement change = mutation->choose(genome, random);
+    for (std::size_t k = 0; k < change.genes.size(); ++k)
+      moved += change.genes[k] != genome.at(change.first + static_cast<int>(k)) ? 1 : 0;
+    genes += static_cast<double>(change.genes.size());
+  }
+  EXPECT_NEAR(moved / genes, 1 - 0.75 * std::exp(-0.25), 0.02);
 }
 
 /// Moves come from a parent unless both lead to used genes.

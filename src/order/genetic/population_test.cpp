@@ -172,6 +172,19 @@ TEST(LegalNeighbours, LeaveIllegalMovesOut) {
   }
 }
 
+/// Tour 4.3.2: 24 where all points are asked for; legal ones are looked for among twice the number.
+TEST(LegalNeighbours, AreTwoRingsOrTheLegalOnesOfTwiceAsMany) {
+  Problem problem = open_lattice(6, 6);
+  EXPECT_EQ(LegalNeighbours(Moves(problem), 0).nearest(14).size(), 24U);
+  // Moves shorter than 2.2 are illegal: 12 of the 16 points next to one in the middle.
+  problem.detour = [&](int a, int b) -> std::vector<Vec2> {
+    return distance(problem.points[a], problem.points[b]) < 2.2 ? std::vector<Vec2>{{0, -1}}
+                                                                : std::vector<Vec2>{};
+  };
+  const Moves moves(problem);
+  EXPECT_EQ(LegalNeighbours(moves, 8).nearest(14).size(), 4U);
+}
+
 TEST(Replacement, DoesWhatItsNameSays) {
   const auto with = [](double value, Tour genes) {
     return Individual{.genome = Genome(std::move(genes)), .local = value, .value = value};

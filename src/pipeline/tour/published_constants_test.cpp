@@ -15,6 +15,7 @@
 #include "plan/common/layers.h"
 #include "plan/contour/contour.h"
 #include "plan/grid/interpolate.h"
+#include "plan/grid/shape.h"
 #include "plan/tour/tour.h"
 
 namespace clearcut::pipeline {
@@ -100,6 +101,45 @@ TEST(PublishedConstants, Interpolators) {
   EXPECT_EQ(plan::grid::circle_step(5, 1), 0.001);
 }
 
+DesignElement element_of(ElementKind kind, Vec2 from, Vec2 to) {
+  DesignElement element;
+  element.kind = kind;
+  element.from = from;
+  element.to = to;
+  return element;
+}
+
+/// Grid section III: the cutter's centre stays a radius from both ends, so that a line is at least as long as the cutter is wide.
+TEST(PublishedConstants, CurvesOfTheCentreEndARadiusBeforeTheirEnds) {
+  EXPECT_FALSE(plan::grid::core_of(element_of(ElementKind::kLine, {0, 0}, {9.99, 0}), 5));
+  EXPECT_TRUE(plan::grid::core_of(element_of(ElementKind::kLine, {0, 0}, {10.01, 0}), 5));
+  DesignElement arc = element_of(ElementKind::kArc, {20, 0}, {-20, 0});
+  arc.radius = 20;
+  const auto core = plan::grid::core_of(arc, 5);
+  ASSERT_TRUE(core);
+  EXPECT_NEAR(distance(core->from, arc.from), 5, 1e-9);
+  EXPECT_NEAR(distance(core->to, arc.to), 5, 1e-9);
+}
+
+/// An arc has a curve of the centre as long as its ends are more than two chords of a radius apart.
+TEST(PublishedConstants, ShortArcsHaveNoCurveOfTheCentre) {
+  const double chords = 4 * std::asin(5.0 / 40);
+  for (const auto& [share, is_there] : {std::pair(0.995, false), std::pair(1.005, true)}) {
+    const double sweep = share * chords;
+    DesignElement arc = element_of(ElementKind::kArc, {20, 0}, Vec2{std::cos(sweep), std::sin(sweep)} * 20);
+    arc.radius = 20;
+    EXPECT_EQ(plan::grid::core_of(arc, 5).has_value(), is_there) << share;
+  }
+}
+
+TEST(PublishedConstants, HolesAndSlotsAreAsWideAsTheySay) {
+  DesignElement hole = element_of(ElementKind::kHole, {30, 30}, {30, 30});
+  DesignElement slot = element_of(ElementKind::kSlot, {10, 0}, {40, 0});
+  hole.width = slot.width = 14;
+  EXPECT_NEAR(plan::grid::shape_of(hole, 3).area(), kPi * 49, 1e-9);
+  EXPECT_NEAR(plan::grid::shape_of(slot, 3).area(), kPi * 49 + 30 * 14, 1e-9);
+}
+
 Layer square_layer(double side, double radius) {
   Layer layer;
   const std::vector<Vec2> corners{{0, 0}, {side, 0}, {side, side}, {0, side}};
@@ -124,7 +164,8 @@ TEST(PublishedConstants, SpacingOfTheGrid) {
                         {});
 }
 
-/// Tour eq. 4.9 and 4.10: a wall that leans by 30 degrees keeps steps of 0.2 mm with layers of 0.2 / sin 30.
+/// Tour eq. 4.9 and 4.10: a wall that leans by 30 degrees keeps steps of 0.2 mm with layers of 0.2 / sin 30, and stands z tan 30 farther in
+/// at a depth of z.
 TEST(PublishedConstants, LayersUnderAScallop) {
   Feature feature;
   feature.target = feature.allowed = square_layer(40, 5).target;
@@ -136,6 +177,8 @@ TEST(PublishedConstants, LayersUnderAScallop) {
   const auto layers = plan::layers_of(feature, operation, 5, {});
   ASSERT_EQ(layers.size(), 10u);
   EXPECT_NEAR(layers.front().z, -0.4, 1e-9);
+  const double side = 40 - 2 * 4 * std::tan(kPi / 6);
+  EXPECT_NEAR(area(layers.back().target), side * side, 1e-3);
 }
 
 /// Tour eq. 4.6: P = sweep / (2 acos((r - e) / r)) + 1 points.

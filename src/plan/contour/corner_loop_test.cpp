@@ -60,6 +60,23 @@ TEST(CornerLoop, TangentLoopsHaveNoCorner) {
   }
 }
 
+/// A circle wider than the cutter would leave its middle.
+TEST(CornerLoop, CirclesAreNoWiderThanTheCutter) {
+  for (const auto& [far, is_there] : {std::pair(9.99, true), std::pair(10.01, false)}) {
+    const Corner c = built(0.3, 0.7, far);
+    EXPECT_EQ(corner_loop(CornerLoop::kCircle, c.root, c.tip, c.in, c.out, 5).has_value(), is_there) << far;
+  }
+}
+
+/// Choy and Chan: the first of two loops reaches half as far.
+TEST(CornerLoop, OfTwoLoopsTheFirstReachesHalfAsFar) {
+  const Corner c = built(1.0, 0.7, 3);
+  const auto both = corner_loop(CornerLoop::kDouble, c.root, c.tip, c.in, c.out, 5);
+  const auto one = corner_loop(CornerLoop::kSingle, c.root, c.tip, c.in, c.out, 5);
+  ASSERT_TRUE(both && one);
+  EXPECT_NEAR(length(*both), 1.5 * length(*one), 1e-9);
+}
+
 /// Whatever the way to the tip clears, a loop about it clears, too, as long as it is no wider than the cutter.
 TEST(CornerLoop, ClearsWhatTheWayToTheTipClears) {
   int checked = 0;

@@ -71,6 +71,19 @@ void expect_legal_and_clear(const Layer& layer, const LayerPasses& passes) {
   EXPECT_TRUE(cover.holes([&](Vec2 p) { return legal.contains(p) && contains(layer.target, p); }).empty());
 }
 
+/// Rows meet both ends of the longer side and lie in the middle of the shorter one.
+TEST(PlanTour, AFittedLatticeLiesInTheMiddle) {
+  Box box;
+  box.add(Vec2{2, 3});
+  box.add(Vec2{42, 24});
+  const Lattice lattice = fitted_lattice(box, 9);
+  EXPECT_EQ(lattice.columns, 6);
+  EXPECT_EQ(lattice.rows, 3);
+  EXPECT_NEAR(lattice.pitch, 8, 1e-12);
+  EXPECT_NEAR(lattice.corner.x, 2, 1e-12);
+  EXPECT_NEAR(lattice.corner.y, 5.5, 1e-12);
+}
+
 TEST(PlanTour, AnyOrderInRandomPocketsIsLegalAndLeavesNothing) {
   Random random(3);
   for (int i = 0; i < 40; ++i) {
