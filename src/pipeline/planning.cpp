@@ -129,7 +129,8 @@ std::optional<std::vector<LayerPasses>> without_air_cuts(const std::vector<Layer
   bool is_shorter = false;
   for (std::size_t i = 0; i < passes.size(); ++i) {
     throw_if_cancelled(job.cancel);
-    if (i > 0 && same_passes(passes[i], passes[i - 1]) && !work.layers[i].walls_only) {
+    if (i > 0 && !work.layers[i].walls_only && !work.layers[i - 1].walls_only &&
+        same_passes(passes[i], passes[i - 1])) {
       all.push_back(passes[i]);
       all.back().passes = all[i - 1].passes;
       continue;
@@ -168,6 +169,14 @@ void leave_out_air_cuts(const std::vector<LayerPasses>& passes, const StepWork& 
   return;
 }
 
+/// A stated start, and leads, need their passes as they are.
+bool may_lose_air_cuts(const StrategyEntry& strategy, const ResolvedStep& step, const StepPlan& plan,
+                       const ResolvedPlan& job) {
+  const bool is_tried =
+      strategy.air_cuts == AirCuts::kOut || (strategy.air_cuts == AirCuts::kOutOfOpen && !plan.pocket);
+  return is_tried && !job.start && step.lead == 0;
+}
+
 /// Number of edges of an outline above which rivals are not tried: the waiting time would be noticeable.
 constexpr std::size_t kMostEdgesForRivals = 400;
 
@@ -189,9 +198,7 @@ StepPlan plan_step(const StepWork& work, const StrategyCandidate& candidate, con
     plan.hole = feature.profile.has_value();
     plan.section = link_step(passes, work.workingstep, entry, job);
     plan.time_s = time_on_machine(plan.section, job);
-    const AirCuts air_cuts = candidate.strategy->air_cuts;
-    const bool is_tried = air_cuts == AirCuts::kOut || (air_cuts == AirCuts::kOutOfOpen && !plan.pocket);
-    if (is_tried && !feature.profile)
+    if (may_lose_air_cuts(*candidate.strategy, step, plan, job) && !feature.profile)
       leave_out_air_cuts(passes, work, entry, candidate, job, most_work, plan);
     return plan;
   }

@@ -17,7 +17,7 @@ namespace clearcut::plan {
 namespace {
 
 /// Shares of the radius: length of the pieces of passes, and distance between witnesses.
-constexpr double kPiece = 0.125, kPitch = 0.17;
+constexpr double kPiece = 0.2, kPitch = 0.25;
 /// Side of the cells for finding pieces, as a share of the radius.
 constexpr double kCell = 0.5;
 /// Larger layers stay as they are.
@@ -123,10 +123,28 @@ class Trimming {
     std::vector<Vec2> left =
         now.holes([&](Vec2 p) { return target_.contains(p) && before_.holds(p, kBarely); });
     // What is left at the border of the target may have the corners of its rim outside.
-    BoxIndex near(2 * job_.radius);
+    BoxIndex near(2 * job_.radius), taken(2 * job_.radius);
     for (std::uint32_t i = 0; i < edges.size(); ++i) near.add(box_of(edges[i]).grown(proven_), i);
-    for (const Edge& side : geometry::edges_of(layer_.target)) add_left_on(side, edges, near, now, left);
+    for (const std::uint32_t i : taken_pieces()) taken.add(box_of(pieces_[i].path).grown(proven_), i);
+    for (const Edge& side : geometry::edges_of(layer_.target)) {
+      const auto around = taken.near(side.box());
+      const bool has_changed = std::any_of(around.begin(), around.end(), [&](std::uint32_t i) {
+        return box_of(pieces_[i].path).grown(proven_).overlaps(side.box());
+      });
+      if (has_changed) add_left_on(side, edges, near, now, left);
+    }
     return left;
+  }
+
+  std::vector<std::uint32_t> taken_pieces() const {
+    std::vector<bool> stays(pieces_.size(), false);
+    for (const Remains& remains : remains_)
+      for (const Run& run : remains.runs)
+        for (const std::uint32_t piece : run) stays[piece] = true;
+    std::vector<std::uint32_t> taken;
+    for (std::uint32_t i = 0; i < pieces_.size(); ++i)
+      if (!stays[i]) taken.push_back(i);
+    return taken;
   }
 
   /// Adds the middles of those parts of one side of the target that are left. Each part lies between two intersections of the
@@ -135,6 +153,7 @@ class Trimming {
                    std::vector<Vec2>& left) const {
     std::vector<double> cuts{0, 1};
     for (const std::uint32_t i : near.near(side.box())) {
+      if (!box_of(edges[i]).grown(proven_).overlaps(side.box())) continue;
       for (const Edge& rim : rim_of(edges[i], proven_))
         for (const Vec2 p : intersections(side, rim)) cuts.push_back(nearest(side, p).t);
     }
