@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <windows.h>
 
+#include <initializer_list>
+
 namespace {
 
 void take_colours(DWORD stream) {
@@ -15,7 +17,7 @@ void take_colours(DWORD stream) {
 
 struct Start {
   Start() {
-    _set_fmode(_O_BINARY);
+    _fmode = _O_BINARY;
     for (const int stream : {0, 1, 2}) _setmode(stream, _O_BINARY);
     SetConsoleOutputCP(CP_UTF8);
     for (const DWORD stream : {STD_OUTPUT_HANDLE, STD_ERROR_HANDLE}) take_colours(stream);
