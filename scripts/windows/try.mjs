@@ -34,10 +34,10 @@ function check(holds, what) {
 function run(home, words) {
   const began = performance.now(), [program, ...first] = homes[home];
   const end = spawnSync(program, [...first, ...words], {cwd: path.join(folder, home), encoding: 'utf8', env: quiet});
-  return {code: end.status, messages: end.stderr, text: end.stdout, seconds: (performance.now() - began) / 1000};
+  return {code: end.status, messages: end.stderr.replace(/^\{"progress".*\n/gm, ''), text: end.stdout, seconds: (performance.now() - began) / 1000};
 }
 
-/** Files below a folder, without what a run does not write. @type {(place: string) => string[]} */
+/** Files below a folder. @type {(place: string) => string[]} */
 const filesBelow = place => existsSync(place) ?
   readdirSync(place, {recursive: true}).map(String).filter(name => statSync(path.join(place, name)).isFile()).sort() :
   [];
