@@ -117,9 +117,9 @@ same(['plan', 'plate.dxf', ...plate, '-o', 'no/such/folder.ngc'], 'a folder that
 same(['plan', 'bracket.json', '--tool', 'endmill:6', '-o', 'out/bracket.ngc', '--witness', 'out/bracket.ccw'], 'a witness');
 same(['info', 'plate.dxf', '--json'], 'info');
 same(['machines'], 'the machines');
-same(['tour', '--lattice', '6x5', '--seed', '1'], 'a tour, by clearcut-studies');
-const proven = run('wine', ['plan', 'bracket.json', '--tool', 'endmill:6', '-o', 'out/bracket.ngc', '--prove']);
-check(proven.code === 0 && proven.text.includes('proved by witness'), `a plan proved by clearcut-check: ${proven.text} ${proven.messages}`);
+same(['generate', 'options'], 'options, by clearcut-studies');
+const proven = run('wine', ['verify', 'out/bracket.ngc', '--part', 'bracket.json', '--tool', 'endmill:6', '--prove']);
+check(proven.code === 0 && proven.text.includes('proved by witness'), `a program proved by clearcut-check: ${proven.text} ${proven.messages}`);
 newFolders();
 for (const home of ['own', 'wine']) {
   mkdirSync(path.join(folder, home, 'parts/deep'), {recursive: true});
