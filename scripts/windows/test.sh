@@ -14,6 +14,7 @@ unzip -q "$zip" -d "$place/Fräs teile"
 export WINEPREFIX=$place/prefix WINEDEBUG=-all WINEDLLOVERRIDES='winemenubuilder.exe,mscoree,mshtml=d' LC_ALL=C.UTF-8
 timeout 300 wine wineboot -i > "$place/wineboot.log" 2>&1 || { cat "$place/wineboot.log" >&2; exit 1; }
 # One Windows for all runs; it would start anew for each.
+wineserver -w
 wineserver -p
 trap 'wineserver -k || true' EXIT
 timeout 3000 node scripts/windows/try.mjs "$command" "$place/Fräs teile/$(basename "$zip" .zip)" examples "$place/work"

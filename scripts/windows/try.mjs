@@ -34,7 +34,12 @@ function check(holds, what) {
 function run(home, words) {
   const began = performance.now(), [program, ...first] = homes[home];
   const end = spawnSync(program, [...first, ...words], {cwd: path.join(folder, home), encoding: 'utf8', env: quiet});
-  return {code: end.status, messages: end.stderr.replace(/^\{"progress".*\n/gm, ''), text: end.stdout, seconds: (performance.now() - began) / 1000};
+  return {
+    code: end.status,
+    messages: end.stderr.replace(/^\{"progress".*\n/gm, ''),
+    text: end.stdout,
+    seconds: (performance.now() - began) / 1000
+  };
 }
 
 /** Files below a folder. @type {(place: string) => string[]} */
@@ -119,7 +124,8 @@ same(['info', 'plate.dxf', '--json'], 'info');
 same(['machines'], 'the machines');
 same(['generate', 'options'], 'options, by clearcut-studies');
 const proven = run('wine', ['verify', 'out/bracket.ngc', '--part', 'bracket.json', '--tool', 'endmill:6', '--prove']);
-check(proven.code === 0 && proven.text.includes('proved by witness'), `a program proved by clearcut-check: ${proven.text} ${proven.messages}`);
+check(
+  proven.code === 0 && proven.text.includes('proved by witness'), `a program proved by clearcut-check: ${proven.text} ${proven.messages}`);
 newFolders();
 for (const home of ['own', 'wine']) {
   mkdirSync(path.join(folder, home, 'parts/deep'), {recursive: true});

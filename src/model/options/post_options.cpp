@@ -15,7 +15,8 @@ std::optional<EndPosition> end_position_named(std::string_view text) {
   if (text == "home") return EndPosition{EndPosition::Kind::kHome, {}};
   if (text == "none") return EndPosition{EndPosition::Kind::kStay, {}};
   const std::size_t comma = std::min(text.find(','), text.size());
-  const auto x = plain_number(text.substr(0, comma)), y = plain_number(text.substr(std::min(comma + 1, text.size())));
+  const auto x = plain_number(text.substr(0, comma)),
+             y = plain_number(text.substr(std::min(comma + 1, text.size())));
   if (!x || !y) return std::nullopt;
   return EndPosition{EndPosition::Kind::kPlace, {*x, *y}};
 }
