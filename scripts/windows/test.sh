@@ -13,8 +13,9 @@ place=$(realpath "$place")
 unzip -q "$zip" -d "$place/Fräs teile"
 export WINEPREFIX=$place/prefix WINEDEBUG=-all WINEDLLOVERRIDES='winemenubuilder.exe,mscoree,mshtml=d' LC_ALL=C.UTF-8
 timeout 300 wine wineboot -i > "$place/wineboot.log" 2>&1 || { cat "$place/wineboot.log" >&2; exit 1; }
-# One Windows for all runs; it would start anew for each.
+# One Windows for all runs, which would start anew for each. What it starts itself holds no stream of a run.
 wineserver -w
 wineserver -p
 trap 'wineserver -k || true' EXIT
+timeout 300 wine cmd /c exit > "$place/wineboot.log" 2>&1 < /dev/null
 timeout 3000 node scripts/windows/try.mjs "$command" "$place/Fräs teile/$(basename "$zip" .zip)" examples "$place/work"
