@@ -5,7 +5,7 @@ OUT := out
 configure = cmake --preset release $(1) -DCLEARCUT_PRECOMPILED_HEADERS=ON $(CMAKE_ARGS) > build-configure.log 2>&1 || (cat build-configure.log; exit 1); \
             rm -f build-configure.log
 
-.PHONY: all setup build prove demo test web web-checker verify-module test-verify-module test-web python dist packages reproduce-packages docs pictures format lint-viewer test-browser test-freecad clean
+.PHONY: all setup build prove demo test web web-checker verify-module test-verify-module test-web windows test-windows python dist packages reproduce-packages docs pictures format lint-viewer test-browser test-freecad clean
 all: build
 
 setup:
@@ -29,7 +29,7 @@ test: build
 # The page without a server: build/web/site, which any static host serves; planning runs in the browser as WebAssembly.
 web:
 	@scripts/setup.sh build web
-	@scripts/web/sources.sh build/web-sources
+	@scripts/sources.sh build/web-sources libpolyclipping pugixml fmtlib
 	@cmake --preset web > build-configure.log 2>&1 || (cat build-configure.log; exit 1); rm -f build-configure.log
 	@cmake --build --preset web --target site
 
@@ -45,7 +45,7 @@ web-checker:
 # The check of programs as a small WebAssembly module with one function of texts: build/verify-module/package, a folder for npm.
 verify-module:
 	@scripts/setup.sh build web
-	@scripts/web/sources.sh build/web-sources
+	@scripts/sources.sh build/web-sources libpolyclipping pugixml fmtlib
 	@cmake --preset verify-module > build-configure.log 2>&1 || (cat build-configure.log; exit 1); rm -f build-configure.log
 	@cmake --build --preset verify-module --target verify-module
 
@@ -57,6 +57,18 @@ test-verify-module: verify-module
 test-web: web build
 	@scripts/web/same_bytes.sh $(BUILD)/apps/cli/clearcut build/web/apps/web
 	@scripts/web/browser_test.sh build/web/site $(BUILD)/apps/cli/clearcut
+
+# Clearcut for Windows, compiled here by mingw-w64: build/windows/clearcut-0.1.0-windows-x86_64.zip, which runs from any folder.
+windows:
+	@scripts/setup.sh build windows
+	@scripts/sources.sh build/windows-sources libpolyclipping pugixml fmtlib cpp-httplib musl onetbb
+	@cmake --preset windows > build-configure.log 2>&1 || (cat build-configure.log; exit 1); rm -f build-configure.log
+	@cmake --build --preset windows --target commands
+	@scripts/windows/zip.sh build/windows
+
+# That zip under Wine: the same bytes as the command for all examples, and the server's page.
+test-windows: windows build
+	@scripts/windows/test.sh $(BUILD)/apps/cli/clearcut build/windows/clearcut-*-windows-x86_64.zip
 
 # The Python module in build/release/python, its wheel, and its tests. PYTHONPATH=build/release/python is all it needs.
 python:

@@ -2,6 +2,8 @@
 # The Debian packages are listed in scripts/packages.txt.
 if(EMSCRIPTEN)
   include(ClearcutWebDependencies)
+elseif(WIN32)
+  include(ClearcutWindowsDependencies)
 else()
   find_package(Boost 1.74 REQUIRED)
   find_package(PkgConfig REQUIRED)

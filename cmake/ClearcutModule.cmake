@@ -4,6 +4,23 @@
 file(STRINGS ${CMAKE_CURRENT_SOURCE_DIR}/src/dependencies.txt CLEARCUT_DEPENDENCY_LINES REGEX "^[a-z]")
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/dependencies.txt)
 
+# clearcut_of_system(SOURCES): of NAME.cpp and NAME_windows.cpp keeps the one for the system that is built for. Windows' headers
+# define names of their own, so those sources are compiled alone.
+function(clearcut_of_system variable)
+  set(sources ${${variable}})
+  foreach(source IN LISTS ${variable})
+    if(NOT source MATCHES "_windows\\.cpp$")
+      continue()
+    endif()
+    if(WIN32)
+      set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
+      string(REPLACE "_windows.cpp" ".cpp" source ${source})
+    endif()
+    list(REMOVE_ITEM sources ${source})
+  endforeach()
+  set(${variable} ${sources} PARENT_SCOPE)
+endfunction()
+
 function(clearcut_add_module name)
   set(folder ${CMAKE_CURRENT_SOURCE_DIR}/src/${name})
   if(NOT IS_DIRECTORY ${folder})
@@ -13,6 +30,7 @@ function(clearcut_add_module name)
   set(tests ${sources})
   list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")
   list(FILTER tests INCLUDE REGEX "_test\\.cpp$")
+  clearcut_of_system(sources)
 
   set(uses "")
   foreach(line ${CLEARCUT_DEPENDENCY_LINES})

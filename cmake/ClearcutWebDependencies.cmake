@@ -1,29 +1,16 @@
 # The packages of ClearcutDependencies.cmake for the preset web (WebAssembly by emscripten): headers by a folder of links into
-# /usr/include, the three compiled libraries from Debian's sources (scripts/web/sources.sh), stand-ins in cmake/web for TBB,
+# /usr/include, the three compiled libraries from Debian's sources (scripts/sources.sh), stand-ins in cmake/web for TBB,
 # OpenSSL's digest and what emscripten's standard library lacks.
 set(web_sources ${PROJECT_SOURCE_DIR}/build/web-sources)
 set(web_include ${PROJECT_BINARY_DIR}/include)
 set(CLEARCUT_WEB_FOLDER ${PROJECT_SOURCE_DIR}/cmake/web)
 
-function(clearcut_web_source out pattern)
-  file(GLOB found ${web_sources}/${pattern})
-  if(NOT found)
-    message(FATAL_ERROR "${web_sources}/${pattern} is missing; run scripts/web/sources.sh build/web-sources, or make web")
-  endif()
-  list(GET found 0 found)
-  set(${out} ${found} PARENT_SCOPE)
-endfunction()
-clearcut_web_source(clipper libpolyclipping-*/cpp/clipper.cpp)
-clearcut_web_source(pugixml pugixml-*/src/pugixml.cpp)
-clearcut_web_source(fmt_source fmtlib-*/src/format.cc)
+include(ClearcutDebianSources)
+clearcut_debian_source(clipper ${web_sources} libpolyclipping-*/cpp/clipper.cpp)
+clearcut_debian_source(pugixml ${web_sources} pugixml-*/src/pugixml.cpp)
+clearcut_debian_source(fmt_source ${web_sources} fmtlib-*/src/format.cc)
 
-file(MAKE_DIRECTORY ${web_include})
-foreach(name boost fmt nlohmann toml++ CLI fast_float polyclipping pugixml.hpp pugiconfig.hpp)
-  if(NOT EXISTS /usr/include/${name})
-    message(FATAL_ERROR "/usr/include/${name} is missing; run scripts/setup.sh build web, or make web")
-  endif()
-  file(CREATE_LINK /usr/include/${name} ${web_include}/${name} SYMBOLIC)
-endforeach()
+clearcut_debian_headers(${web_include} boost fmt nlohmann toml++ CLI fast_float polyclipping pugixml.hpp pugiconfig.hpp)
 execute_process(COMMAND em-config EMSCRIPTEN_ROOT OUTPUT_VARIABLE emscripten_root OUTPUT_STRIP_TRAILING_WHITESPACE)
 
 # Before every other folder, so that the stand-ins are found first.

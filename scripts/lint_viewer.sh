@@ -16,7 +16,7 @@ fi
 # The same folders as here beside the tools, so that the modules find their packages, and with what the web build writes.
 rm -rf "$kit/tree"
 mkdir "$kit/tree"
-cp -r --parents src/report/viewer apps/serve/page apps/web scripts/viewer_browser "$source" tests/web tests/page "$kit/tree/"
+cp -r --parents src/report/viewer apps/serve/page apps/web scripts/viewer_browser scripts/windows "$source" tests/web tests/page "$kit/tree/"
 cd "$kit/tree"
 sed "s/@version@/1/; s/@files@/'.\/'/" apps/web/page/offline.js.in > apps/web/page/offline.js
 mkdir web
@@ -28,7 +28,7 @@ lint src/report/viewer report
 lint apps/serve/page page
 lint web page
 lint apps/web/page worker
-for folder in scripts/viewer_browser "$source" tests/web tests/page apps/web; do lint "$folder" modules; done
+for folder in scripts/viewer_browser scripts/windows "$source" tests/web tests/page apps/web; do lint "$folder" modules; done
 mv web/server.js apps/web/page/local.js
 
 # Neither the type that fits everything nor a comment that silences the checker.

@@ -1,18 +1,15 @@
 // clearcut-serve: the program behind `clearcut serve`, which passes the settings as JSON.
 #include <clearcut/error.h>
 #include <clearcut/file.h>
-#include <malloc.h>
-#include <pthread.h>
-#include <signal.h>
-#include <stdlib.h>
-#include <sys/resource.h>
 
 #include <cstdio>
 #include <thread>
 
 #include "process/child_process.h"
+#include "process/own_process.h"
+#include "serve/ending.h"
 #include "serve/server.h"
-#include "serve/works/result_files.h"
+#include "serve/works/session_folder.h"
 
 namespace {
 
@@ -20,23 +17,6 @@ using namespace clearcut;
 using namespace clearcut::serve;
 
 constexpr int kUnusable = 2, kInternal = 3;
-
-sigset_t signals_that_end() {
-  sigset_t set;
-  sigemptyset(&set);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&set, signal);
-  return set;
-}
-
-/// Memory limit of this process for small requests; plans have their own limits.
-void limit_memory() {
-  constexpr rlim_t kMost = rlim_t{6} << 30;
-  rlimit both{};
-  getrlimit(RLIMIT_AS, &both);
-  both.rlim_cur = std::min(kMost, both.rlim_max);
-  setrlimit(RLIMIT_AS, &both);
-  mallopt(M_ARENA_MAX, 4);
-}
 
 /// The options of plan and verify, from the command itself.
 std::string options_of_command(const std::string& command, const SessionFolder& folder) {
@@ -49,18 +29,16 @@ std::string options_of_command(const std::string& command, const SessionFolder& 
 
 void serve_with(const Settings& settings) {
   const SessionFolder folder;
-  const sigset_t ending = signals_that_end();
-  pthread_sigmask(SIG_BLOCK, &ending, nullptr);
+  EndSignals signals;
   // For the commands run by the server: readable lines of progress, and tables of a page's width.
-  setenv("CLEARCUT_PROGRESS", "json", 1);
-  setenv("COLUMNS", "100", 1);
-  setenv("NO_COLOR", "1", 1);
+  process::set_variable("CLEARCUT_PROGRESS", "json");
+  process::set_variable("COLUMNS", "100");
+  process::set_variable("NO_COLOR", "1");
   Service service(settings, folder.path(), options_of_command(settings.command, folder));
   Server server(service);
   const int port = server.bind();
   std::thread ender([&] {
-    int signal = 0;
-    sigwait(&ending, &signal);
+    signals.wait();
     server.stop();
   });
   const std::string host =
@@ -69,7 +47,7 @@ void serve_with(const Settings& settings) {
   std::printf("Ctrl-C ends the server; nothing is kept.\n");
   std::fflush(stdout);
   server.run();
-  pthread_kill(ender.native_handle(), SIGTERM);
+  signals.release();
   ender.join();
 }
 

@@ -1,13 +1,13 @@
 #include "serve/server.h"
 
 #include <clearcut/error.h>
-#include <sys/socket.h>
 
 #include <chrono>
 #include <regex>
 #include <thread>
 
 #include "serve/connections/guard.h"
+#include "serve/connections/socket.h"
 #include "serve/upload.h"
 
 namespace clearcut::serve {
@@ -103,7 +103,7 @@ void Server::add_routes() {
 
 int Server::bind() {
   const Settings& settings = service_.settings;
-  int socket = -1;
+  socket_t socket = INVALID_SOCKET;
   server_.set_socket_options([&](socket_t made) {
     httplib::default_socket_options(made);
     socket = made;

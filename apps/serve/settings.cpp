@@ -1,22 +1,14 @@
 #include "serve/settings.h"
 
 #include <clearcut/error.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "process/own_process.h"
+
 namespace clearcut::serve {
-namespace {
-
-/// The machine's memory by the number of jobs.
-std::uint64_t fair_share(int jobs) {
-  const auto pages = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES));
-  return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) / static_cast<std::uint64_t>(jobs);
-}
-
-}  // namespace
 
 Settings settings_of(const std::string& text) {
   Settings out;
@@ -35,7 +27,7 @@ Settings settings_of(const std::string& text) {
     throw InputError("clearcut-serve", "is run by `clearcut serve`; run that");
   }
   if (out.jobs < 1) out.jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  if (out.bytes == 0) out.bytes = fair_share(out.jobs);
+  if (out.bytes == 0) out.bytes = process::memory_share(out.jobs);
   return out;
 }
 

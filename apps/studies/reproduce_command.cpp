@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <optional>
 
@@ -15,6 +14,7 @@
 #include "commands/commands.h"
 #include "commands/research.h"
 #include "research_commands.h"
+#include "study_files.h"
 #include "terminal/output.h"
 #include "terminal/progress.h"
 
@@ -61,12 +61,6 @@ std::string runs_file(const ReproduceCommand& command) {
   return command.json + ".runs";
 }
 
-void append_run(const std::string& path, const std::string& line) {
-  std::ofstream file(path, std::ios::app);
-  file << line << std::flush;
-  if (!file) throw InputError(path, "cannot be appended to; see that it is writable and the disk not full");
-}
-
 /// Made now, or kept from an earlier run.
 studies::NamedReproduction reproduction(const studies::ReproducibleTable& table,
                                         const std::vector<studies::NamedReproduction>& kept,
@@ -75,7 +69,7 @@ studies::NamedReproduction reproduction(const studies::ReproducibleTable& table,
     if (one.name == table.name) return one;
   const std::string path = runs_file(command);
   studies::TableWatch watch;
-  if (keeps(command)) watch.append = [path](const std::string& line) { append_run(path, line); };
+  if (keeps(command)) watch.append = [path](const std::string& line) { append_to_file(path, line); };
   if (command.resume && std::filesystem::exists(path)) watch.kept = read_file(path);
   std::optional<ProgressLine> line;
   if (!command.quiet) {

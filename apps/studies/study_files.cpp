@@ -2,11 +2,10 @@
 
 #include <clearcut/error.h>
 #include <clearcut/file.h>
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
+#include <fstream>
 #include <sstream>
 #include <thread>
 #include <utility>
@@ -17,6 +16,12 @@
 namespace clearcut::cli {
 
 namespace fs = std::filesystem;
+
+void append_to_file(const std::string& path, const std::string& lines) {
+  std::ofstream file(fs::path(path), std::ios::app | std::ios::binary);
+  file << lines << std::flush;
+  if (!file) throw InputError(path, "cannot be appended to; see that it is writable and the disk not full");
+}
 
 StudyProgress::StudyProgress(const StudyCommand& command, int done, int total) {
   if (command.quiet || !is_watched()) return;
@@ -42,18 +47,14 @@ std::string RowFile::begin() const {
 }
 
 void RowFile::append(const std::string& lines) const {
-  if (!is_file_) return;
-  const int file = open(command_.csv.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
-  const ssize_t written = file < 0 ? -1 : ::write(file, lines.data(), lines.size());
-  if (file >= 0) close(file);
-  if (written != static_cast<ssize_t>(lines.size()))
-    throw InputError(command_.csv, "cannot be appended to; see that it is writable and the disk not full");
+  if (is_file_) append_to_file(command_.csv, lines);
 }
 
 std::vector<std::string> StateFolder::names() const {
   std::vector<std::string> all;
   std::error_code none;
-  for (const auto& entry : fs::directory_iterator(folder_, none)) all.push_back(entry.path().filename());
+  for (const auto& entry : fs::directory_iterator(folder_, none))
+    all.push_back(entry.path().filename().string());
   std::sort(all.begin(), all.end());
   return all;
 }
@@ -61,13 +62,13 @@ std::vector<std::string> StateFolder::names() const {
 std::optional<std::string> StateFolder::read(const std::string& name) const {
   const fs::path path = folder_ / name;
   if (!fs::exists(path)) return {};
-  return read_file(path);
+  return read_file(path.string());
 }
 
 void StateFolder::write(const std::string& name, const std::string& text) {
   std::error_code error;
   fs::create_directories(folder_, error);
-  write_files({{folder_ / name, text}});
+  write_files({{(folder_ / name).string(), text}});
 }
 
 /// With the last one goes the folder, and what a process left there that was killed while it wrote.

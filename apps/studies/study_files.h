@@ -24,6 +24,9 @@ struct StudyCommand {
   bool quiet = false;
 };
 
+/// Appends to a file of finished work, at once. Throws InputError if it cannot be.
+void append_to_file(const std::string& path, const std::string& lines);
+
 /// Progress of a study, for terminals.
 class StudyProgress {
  public:

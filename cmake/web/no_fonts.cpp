@@ -1,4 +1,4 @@
-// Stands in for src/read/lettering/face.cpp where fontconfig or FreeType are absent: a page, a build without them.
+// Stands in for src/read/lettering/face.cpp where fontconfig or FreeType are absent: a page, Windows, a build without them.
 #include "base/error.h"
 #include "read/lettering/face.h"
 
@@ -11,7 +11,7 @@ struct Face::Loaded {
 Face::Face(const FaceRequest& /*request*/) {
   throw InputError(
       "--text outlines",
-      "no fonts can be read here, in a page or in a build without libfontconfig-dev and "
+      "no fonts can be read here, in a page, on Windows or in a build without libfontconfig-dev and "
       "libfreetype-dev; turn the text into curves in the drawing, or plan with a clearcut that has them");
 }
 Face::~Face() = default;

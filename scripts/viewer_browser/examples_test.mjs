@@ -4,11 +4,12 @@
 import {mkdirSync, readFileSync} from 'node:fs';
 import {resolve} from 'node:path';
 import {check, conclude, launch, opensAnew, reportIn, saysOptions, textOf, watch} from './browser.mjs';
-import {copyExamples, EXAMPLES, filesOf, jobPlannedByCommand, optionsOf, plannedByCommand, programsOf, scrubsBothWays, verifiedByCommand} from './examples.mjs';
+import {EXAMPLES, filesOf, optionsOf, programsOf} from './example_parts.mjs';
+import {copyExamples, jobPlannedByCommand, plannedByCommand, scrubsBothWays, verifiedByCommand} from './examples.mjs';
 import {hostOf} from './static_host.mjs';
 
 /** @typedef {import('playwright-core').Page} Page */
-/** @typedef {import('./examples.mjs').Example} Example */
+/** @typedef {import('./example_parts.mjs').Example} Example */
 
 const [home, folderName, browserName, commandName, examplesName, place = ''] = process.argv.slice(2);
 const command = resolve(commandName), folder = `${resolve(folderName)}/examples-${home}`;

@@ -1,4 +1,4 @@
-// Finds Clearcut's other programs, and runs work that may crash or never end in a program of its own.
+// Runs work that may crash or never end in a program of its own.
 #pragma once
 
 #include <optional>
@@ -15,9 +15,5 @@ namespace clearcut::inline base {
 /// Cost    about a millisecond on top of the program's own.
 std::optional<std::string> done_apart(const std::vector<std::string>& command, std::string_view input,
                                       int seconds);
-
-/// The path of the program `name`: beside this one, else the first of these folders that contains the program. Empty
-/// if none does.
-std::string companion(const std::string& name, const std::string& place, const std::string& other_place = "");
 
 }  // namespace clearcut::inline base

@@ -37,7 +37,7 @@ bool is_replaced(const OutputFile& file) {
 }
 
 void write_special(const OutputFile& file) {
-  std::ofstream out(file.path, std::ios::binary);
+  std::ofstream out(fs::path(file.path), std::ios::binary);
   out.write(file.content.data(), static_cast<std::streamsize>(file.content.size()));
   out.close();
   if (!out) throw InputError(file.path, "cannot be written; check that it has room");
@@ -50,7 +50,7 @@ std::string temporary_name(const std::string& path) {
 void write_temporary(const OutputFile& file) {
   const fs::path target(file.path);
   if (fs::is_directory(target)) throw InputError(file.path, "is a folder, name a file");
-  std::ofstream out(temporary_name(file.path), std::ios::binary | std::ios::trunc);
+  std::ofstream out(fs::path(temporary_name(file.path)), std::ios::binary | std::ios::trunc);
   out.write(file.content.data(), static_cast<std::streamsize>(file.content.size()));
   out.close();
   if (!out) throw InputError(file.path, "cannot be written; check that the folder exists and has room");
@@ -75,7 +75,7 @@ std::string read_file(const std::string& path, std::size_t limit) {
   const auto status = fs::status(path, error);
   if (!fs::exists(status)) throw InputError(path, "no such file; check the name");
   if (fs::is_directory(status)) throw InputError(path, "is a folder, name a file");
-  std::ifstream in(path, std::ios::binary);
+  std::ifstream in(fs::path(path), std::ios::binary);
   if (!in) throw InputError(path, "cannot be opened; check its permissions");
   std::string bytes;
   char buffer[1 << 16];

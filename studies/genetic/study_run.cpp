@@ -1,7 +1,8 @@
 #include "studies/genetic/study_run.h"
 
+#include <time.h>
+
 #include <algorithm>
-#include <ctime>
 #include <utility>
 
 #include "base/parallel.h"
@@ -26,11 +27,11 @@ std::uint64_t seed_of_run(std::uint64_t seed, int run) {
 
 /// Processor time of this thread, s, which other work on the machine does not lengthen; by the clock where there is none.
 double thread_seconds() {
-  std::timespec now{};
+  timespec now{};
 #ifdef CLOCK_THREAD_CPUTIME_ID
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
 #else
-  std::timespec_get(&now, TIME_UTC);
+  timespec_get(&now, TIME_UTC);
 #endif
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }

@@ -59,14 +59,16 @@ bool is_source(const fs::path& file) {
   return file.extension() == ".h" || file.extension() == ".cpp";
 }
 
-/// Everything that can come together in one program. Files of tests have programs of their own.
+/// Everything that can come together in one program. Files of tests have programs of their own, and of NAME.cpp and
+/// NAME_windows.cpp a program has one.
 std::map<std::string, std::set<std::string>> files_by_definition(const fs::path& root) {
   std::map<std::string, std::set<std::string>> files;
   for (const char* folder : {"src", "studies", "include"}) {
     if (!fs::exists(root / folder)) continue;
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
       const fs::path& file = entry.path();
-      if (!is_source(file) || file.stem().string().ends_with("_test")) continue;
+      const std::string stem = file.stem().string();
+      if (!is_source(file) || stem.ends_with("_test") || stem.ends_with("_windows")) continue;
       for (const auto& name : shared_definitions(read_file(file.string())))
         files[name].insert(fs::relative(file, root).string());
     }

@@ -1,9 +1,9 @@
 // clearcut batch: plans many parts, each in a process of its own.
 #include <clearcut/error.h>
 #include <clearcut/file.h>
+#include <clearcut/programs.h>
 #include <clearcut/text.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
@@ -20,6 +20,7 @@
 #include "batch/batch_parts.h"
 #include "commands/commands.h"
 #include "process/child_process.h"
+#include "process/own_process.h"
 #include "ranks/distribute.h"
 #include "terminal/output.h"
 #include "terminal/progress.h"
@@ -63,7 +64,8 @@ Share share_of(const std::string& text) {
 /// address space, so that the command refuses larger needs in one line.
 void allow_parts(double megabytes) {
   constexpr double kShare = 0.9, kMegabytesInGigabyte = 1000;
-  ::setenv("CLEARCUT_MEMORY", trimmed(kShare * megabytes / kMegabytesInGigabyte, 6).c_str(), 0);
+  if (std::getenv("CLEARCUT_MEMORY") != nullptr) return;
+  process::set_variable("CLEARCUT_MEMORY", trimmed(kShare * megabytes / kMegabytesInGigabyte, 6));
 }
 
 class Batch {
@@ -80,7 +82,7 @@ class Batch {
     limits_.seconds = command.part_seconds;
     limits_.bytes = command.part_megabytes > 0
                         ? static_cast<std::uint64_t>(command.part_megabytes * (1 << 20))
-                        : fair_share(jobs_ * processes.value_or(1));
+                        : process::memory_share(jobs_ * processes.value_or(1));
     if (command.part_megabytes > 0) allow_parts(command.part_megabytes);
   }
 
@@ -160,14 +162,8 @@ class Batch {
     return command.jobs > 0 ? command.jobs : is_one_of_many ? 1 : cores;
   }
 
-  /// The machine's memory by the number of jobs.
-  static std::uint64_t fair_share(int jobs) {
-    const auto pages = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES));
-    return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) / static_cast<std::uint64_t>(jobs);
-  }
-
   std::string place(const BatchPart& part, const char* ending) const {
-    return (fs::path(command_.output) / (part.name + ending)).string();
+    return (fs::path(command_.output) / (part.name + ending)).generic_string();
   }
 
   /// Takes a part already done, or plans it. Faults of this command itself end the batch.
@@ -237,8 +233,7 @@ class Batch {
 
   BatchRow planned(const BatchPart& part, const std::string& key, const std::atomic<bool>* stop) const {
     for (const char* ending : {".ngc", ".json", ".svg", ".done"}) fs::remove(place(part, ending));
-    std::vector<std::string> words{fs::read_symlink("/proc/self/exe").string(), "plan", part.file,
-                                   "--for-many"};
+    std::vector<std::string> words{own_program(), "plan", part.file, "--for-many"};
     const bool says_threads =
         std::find(plan_options_.begin(), plan_options_.end(), "--threads") != plan_options_.end();
     if (!says_threads) words.insert(words.end(), {"--threads", "1"});
@@ -265,7 +260,7 @@ class Batch {
   void remove_begun(const BatchPart& part) const {
     std::vector<fs::path> begun;
     for (const auto& one : fs::directory_iterator(fs::path(place(part, "")).parent_path())) {
-      const std::string path = one.path().string();
+      const std::string path = one.path().generic_string();
       for (const char* ending : {".ngc", ".json", ".svg", ".log"}) {
         const std::string own = place(part, ending);
         if (path == own || (path.starts_with(own + ".") && path.ends_with(".tmp"))) begun.push_back(path);

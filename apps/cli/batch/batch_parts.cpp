@@ -35,7 +35,7 @@ std::vector<BatchPart> parts_in_folder(const fs::path& folder, const fs::path& o
     const fs::path& path = at->path();
     if (at->is_directory() && fs::equivalent(path, output, absent)) at.disable_recursion_pending();
     if (at->is_regular_file() && is_part(path))
-      parts.push_back({path.string(), {}, fs::relative(path, folder).string()});
+      parts.push_back({path.generic_string(), {}, fs::relative(path, folder).generic_string()});
   }
   std::sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
   return parts;
@@ -57,7 +57,7 @@ std::vector<BatchPart> parts_of_list(const fs::path& list) {
     const fs::path named(words.front());
     const fs::path file = named.is_absolute() ? named : list.parent_path() / named;
     parts.push_back(
-        {file.string(), {words.begin() + 1, words.end()}, unused(named.filename().string(), used)});
+        {file.generic_string(), {words.begin() + 1, words.end()}, unused(named.filename().string(), used)});
   }
   return parts;
 }
@@ -68,7 +68,7 @@ std::vector<std::string> files_of_job(const std::string& job) {
   std::error_code ignored;
   for (const auto& word : split(read_file(job), '"')) {
     const fs::path file = fs::path(job).parent_path() / word;
-    if (!word.empty() && fs::is_regular_file(file, ignored)) files.push_back(file.string());
+    if (!word.empty() && fs::is_regular_file(file, ignored)) files.push_back(file.generic_string());
   }
   return files;
 }

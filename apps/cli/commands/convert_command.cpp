@@ -148,7 +148,7 @@ std::string job_of(const PlanArguments& arguments, const std::string& output) {
   const auto beside = [&](const std::string& file) {
     const auto path = std::filesystem::absolute(file);
     const auto relative = output == "-" ? std::filesystem::path(file) : path.lexically_relative(folder);
-    return relative.empty() ? path.string() : relative.string();
+    return (relative.empty() ? path : relative).generic_string();
   };
   StatedOptions stated = arguments.stated();
   for (auto* file : {&stated.asked.input.stock_from, &stated.asked.input.after,

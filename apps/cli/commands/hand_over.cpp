@@ -1,23 +1,19 @@
 #include <clearcut/error.h>
-#include <unistd.h>
+#include <clearcut/programs.h>
 
-#include <filesystem>
+#include <string>
 #include <vector>
 
 #include "arguments/certificate_info.h"
 #include "commands/research.h"
+#include "process/own_process.h"
 
 namespace clearcut::cli {
 
 void run_studies(const std::string& command) {
-  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe");
-  const std::string program = (self.parent_path() / "clearcut-studies").string();
   std::vector<std::string> words{"clearcut", command};
   for (const std::string& word : remembered_arguments()) words.push_back(word);
-  std::vector<char*> given;
-  for (std::string& word : words) given.push_back(word.data());
-  given.push_back(nullptr);
-  ::execv(program.c_str(), given.data());
+  process::replace_by(companion("clearcut-studies"), words);
   throw InputError(command,
                    "is done by the program clearcut-studies, which does not lie beside this one; "
                    "install both, or build the target commands");

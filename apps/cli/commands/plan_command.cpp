@@ -63,7 +63,7 @@ std::vector<OutputFile> output_files(const PlanCommand& command, const PlanOptio
 /// Beside the job, and where that lies in a project file beside that.
 std::string in_folder_of(const std::string& job_file, const std::string& name) {
   const std::filesystem::path folder = std::filesystem::path(job_file).parent_path();
-  return ((is_project_name(folder.string()) ? folder.parent_path() : folder) / name).string();
+  return ((is_project_name(folder.string()) ? folder.parent_path() : folder) / name).generic_string();
 }
 
 /// Output files not named on the command line are taken from the job.
@@ -175,7 +175,7 @@ void number_outputs(PlanCommand& command, int setup) {
     if (path->empty()) continue;
     const std::filesystem::path file(*path);
     const std::string name = file.stem().string() + "-" + std::to_string(setup) + file.extension().string();
-    *path = (file.parent_path() / name).string();
+    *path = (file.parent_path() / name).generic_string();
   }
 }
 

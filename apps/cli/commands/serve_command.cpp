@@ -1,15 +1,14 @@
 // clearcut serve: passes its settings to the server, a separate program beside this one.
 #include <clearcut/error.h>
-#include <unistd.h>
+#include <clearcut/programs.h>
 
-#include <array>
-#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "commands/commands.h"
+#include "process/own_process.h"
 
 namespace clearcut::cli {
 namespace {
@@ -43,11 +42,7 @@ std::string settings_json(const ServeCommand& command, const std::string& self) 
 
 /// Does not return.
 void serve(const ServeCommand& command) {
-  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe");
-  const std::string server = (self.parent_path() / "clearcut-serve").string();
-  std::string name = "clearcut-serve", settings = settings_json(command, self.string());
-  const std::array<char*, 3> words{name.data(), settings.data(), nullptr};
-  ::execv(server.c_str(), words.data());
+  process::replace_by(companion("clearcut-serve"), {"clearcut-serve", settings_json(command, own_program())});
   throw InputError("serve", "this build has no server; install libcpp-httplib-dev and build again");
 }
 

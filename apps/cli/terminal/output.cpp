@@ -1,13 +1,9 @@
 #include "terminal/output.h"
 
 #include <clearcut/error.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <atomic>
-#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -29,21 +25,10 @@ bool is_set(const char* variable) {
 }
 
 std::optional<std::size_t> width_given() {
-  winsize size{};
-  if (::isatty(STDOUT_FILENO) != 0 && ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0)
-    return size.ws_col;
+  if (const auto shown = terminal_columns()) return shown;
   const char* columns = std::getenv("COLUMNS");
   const int width = columns == nullptr ? 0 : std::atoi(columns);
   return width > 0 ? std::optional(static_cast<std::size_t>(width)) : std::nullopt;
-}
-
-/// Only async-signal-safe calls. The temporary files of an output are held back from this (base/file.h).
-void interrupted(int signal) {
-  constexpr std::string_view kOnTerminal = "\r\x1b[Kclearcut: stopped\n", kElsewhere = "clearcut: stopped\n";
-  const auto text = ::isatty(STDERR_FILENO) != 0 ? kOnTerminal : kElsewhere;
-  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
-  std::signal(signal, SIG_DFL);
-  std::raise(signal);
 }
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kColours{
@@ -84,7 +69,7 @@ std::size_t table_width() {
 bool shows_colours() {
   const char* terminal = std::getenv("TERM");
   const bool dumb = terminal != nullptr && std::string_view(terminal) == "dumb";
-  return ::isatty(STDOUT_FILENO) != 0 && !is_set("NO_COLOR") && !dumb;
+  return output_is_terminal() && !is_set("NO_COLOR") && !dumb;
 }
 
 std::string with_colours(const std::string& text) {
@@ -97,45 +82,6 @@ std::string with_colours(const std::string& text) {
     at = end + 1;
   }
   return out;
-}
-
-void say_when_interrupted() {
-  struct sigaction stop {};
-  stop.sa_handler = interrupted;
-  for (const int signal : {SIGINT, SIGTERM}) {
-    struct sigaction before {};
-    // Work started with the signal ignored (nohup, a script's background) continues.
-    const bool is_ignored = ::sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_IGN;
-    if (!is_ignored) ::sigaction(signal, &stop, nullptr);
-  }
-}
-
-namespace {
-
-/// Several threads may write files at once, each under a guard of its own.
-std::atomic<int> caught = 0;
-static_assert(std::atomic<int>::is_always_lock_free, "a handler may store to it");
-
-}  // namespace
-
-SignalsHeld::SignalsHeld() : earlier_(caught) {
-  caught = 0;
-  struct sigaction hold {};
-  hold.sa_handler = [](int signal) { caught = signal; };
-  for (std::size_t i = 0; i < kSignals.size(); ++i) {
-    ::sigaction(kSignals[i], &hold, &before_[i]);
-    if (before_[i].sa_handler == SIG_IGN) ::sigaction(kSignals[i], &before_[i], nullptr);
-  }
-}
-
-SignalsHeld::~SignalsHeld() {
-  for (std::size_t i = 0; i < kSignals.size(); ++i) ::sigaction(kSignals[i], &before_[i], nullptr);
-  const int last = caught.exchange(0), now = last != 0 ? last : earlier_;
-  if (now != 0) ::raise(now);
-}
-
-bool SignalsHeld::any() {
-  return caught != 0;
 }
 
 namespace {

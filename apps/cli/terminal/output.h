@@ -1,16 +1,15 @@
-// Output of the commands, printed and written. The terminal: width, colours, and the effect of Ctrl-C; signals that
-// would end the program wait until an output is complete.
+// Output of the commands, printed and written; the width of texts, and colours.
 #pragma once
 
 #include <clearcut/error.h>
 #include <clearcut/file.h>
 #include <clearcut/text.h>
 
-#include <array>
-#include <csignal>
 #include <cstddef>
 #include <string>
 #include <vector>
+
+#include "terminal/terminal.h"
 
 namespace clearcut::cli {
 
@@ -26,28 +25,6 @@ bool shows_colours();
 
 /// The text with its verdicts in green, yellow or red if colours are shown.
 std::string with_colours(const std::string& text);
-
-/// From now on Ctrl-C and SIGTERM clear the line of progress, report that the work was stopped, and end the process
-/// by the same signal (exit code 130 or 143 in a shell).
-void say_when_interrupted();
-
-/// Ctrl-C, SIGTERM and SIGHUP are held until this object ends, and then have their former effect; ignored ones stay
-/// ignored.
-class SignalsHeld {
- public:
-  SignalsHeld();
-  ~SignalsHeld();
-  SignalsHeld(const SignalsHeld&) = delete;
-  SignalsHeld& operator=(const SignalsHeld&) = delete;
-
-  /// Whether a signal has arrived; work under this object may take it as a request to end.
-  static bool any();
-
- private:
-  static constexpr std::array<int, 3> kSignals{SIGINT, SIGTERM, SIGHUP};
-  std::array<struct sigaction, kSignals.size()> before_{};
-  int earlier_;  ///< signal that arrived while an outer object held them
-};
 
 /// Diagnostics as lines on standard error: "repair: place: text". Notes only when `verbose`.
 void print(const Diagnostics& diagnostics, bool verbose);

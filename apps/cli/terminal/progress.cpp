@@ -1,7 +1,6 @@
 #include "terminal/progress.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <cstdio>
@@ -35,7 +34,7 @@ bool is_for_programs() {
 }  // namespace
 
 bool is_watched() {
-  return ::isatty(STDERR_FILENO) != 0;
+  return errors_are_for_terminal();
 }
 
 ProgressLine::ProgressLine(std::string hint, std::string advice)

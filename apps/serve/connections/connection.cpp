@@ -1,11 +1,6 @@
 #include "serve/connections/connection.h"
 
-#include <poll.h>
-#include <sys/socket.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 
 namespace clearcut::serve {
 namespace {
@@ -13,15 +8,10 @@ namespace {
 constexpr std::chrono::seconds kLongestSilence{10};
 constexpr std::chrono::seconds kLongestHead{10};
 
-/// Whether `socket` allows one of `events` before `end`.
-bool is_ready(int socket, short events, Clock::time_point end) {
-  while (true) {
-    const auto left = std::chrono::ceil<std::chrono::milliseconds>(end - Clock::now()).count();
-    pollfd one{socket, events, 0};
-    const int ready = ::poll(&one, 1, static_cast<int>(std::max<decltype(left)>(left, 0)));
-    if (ready >= 0) return ready > 0;
-    if (errno != EINTR) return false;
-  }
+/// The same until `end`.
+bool is_ready_until(socket_t socket, Direction direction, Clock::time_point end) {
+  const auto left = std::chrono::ceil<std::chrono::milliseconds>(end - Clock::now());
+  return is_ready(socket, direction, std::max(left, std::chrono::milliseconds(0)));
 }
 
 }  // namespace
@@ -37,54 +27,56 @@ void WaitingConnections::closed() {
   --open_;
 }
 
-bool WaitingConnections::wait(int socket, short events, Clock::time_point began, Clock::time_point end) {
-  if (is_ready(socket, events, Clock::now())) return true;
+bool WaitingConnections::wait(socket_t socket, Direction direction, Clock::time_point began,
+                              Clock::time_point end) {
+  if (is_ready_until(socket, direction, Clock::now())) return true;
   const Entry entry{began, socket};
   {
     const std::lock_guard lock(mutex_);
     waiting_.insert(entry);
     make_room();
   }
-  const bool ready = is_ready(socket, events, end);
+  const bool ready = is_ready_until(socket, direction, end);
   const std::lock_guard lock(mutex_);
   return waiting_.erase(entry) > 0 && ready;
 }
 
 void WaitingConnections::make_room() {
   if (open_ <= most_ || waiting_.empty()) return;
-  ::shutdown(waiting_.begin()->second, SHUT_RDWR);  // ends the wait; the waiting thread closes it
+  shut_socket(waiting_.begin()->second);  // ends the wait; the waiting thread closes it
   waiting_.erase(waiting_.begin());
 }
 
 void WaitingConnections::give_up_all() {
   const std::lock_guard lock(mutex_);
-  for (const auto& [began, socket] : waiting_) ::shutdown(socket, SHUT_RDWR);
+  for (const auto& [began, socket] : waiting_) shut_socket(socket);
   waiting_.clear();
 }
 
-Connection::Connection(int socket, WaitingConnections& waiting) : socket_(socket), waiting_(waiting) {}
+Connection::Connection(socket_t socket, WaitingConnections& waiting) : socket_(socket), waiting_(waiting) {
+  prepare_socket(socket_);
+}
 
 Connection::~Connection() {
-  ::shutdown(socket_, SHUT_RDWR);
-  ::close(socket_);
+  shut_socket(socket_);
+  close_socket(socket_);
 }
 
 bool Connection::is_readable() const {
-  return next_ < filled_ || is_ready(socket_, POLLIN, Clock::now());
+  return next_ < filled_ || is_ready_until(socket_, Direction::kInput, Clock::now());
 }
 
 /// Called before every part of a long answer: nothing is sent to a client that has closed its connection.
 bool Connection::is_writable() const {
-  char next = 0;
-  if (::recv(socket_, &next, 1, MSG_PEEK | MSG_DONTWAIT) == 0) return false;
-  return waiting_.wait(socket_, POLLOUT, began_, Clock::now() + kLongestSilence);
+  if (has_ended(socket_)) return false;
+  return waiting_.wait(socket_, Direction::kOutput, began_, Clock::now() + kLongestSilence);
 }
 
 ssize_t Connection::receive(char* data, std::size_t size) {
   auto end = Clock::now() + kLongestSilence;
   if (!head_has_come_) end = std::min(end, began_ + kLongestHead);
-  if (Clock::now() > end || !waiting_.wait(socket_, POLLIN, began_, end)) return -1;
-  return ::recv(socket_, data, size, MSG_DONTWAIT);
+  if (Clock::now() > end || !waiting_.wait(socket_, Direction::kInput, began_, end)) return -1;
+  return receive_now(socket_, data, size);
 }
 
 ssize_t Connection::read(char* data, std::size_t size) {
@@ -102,8 +94,8 @@ ssize_t Connection::read(char* data, std::size_t size) {
 }
 
 ssize_t Connection::write(const char* data, std::size_t size) {
-  if (!waiting_.wait(socket_, POLLOUT, began_, Clock::now() + kLongestSilence)) return -1;
-  return ::send(socket_, data, size, MSG_DONTWAIT | MSG_NOSIGNAL);
+  if (!waiting_.wait(socket_, Direction::kOutput, began_, Clock::now() + kLongestSilence)) return -1;
+  return send_now(socket_, data, size);
 }
 
 /// Addresses of clients are neither checked nor kept.

@@ -1,13 +1,12 @@
 // A client's connection: its input and output, and the server's limits of waiting.
 #pragma once
 
-#include <httplib.h>
-
 #include <array>
 #include <mutex>
 #include <set>
 #include <utility>
 
+#include "serve/connections/socket.h"
 #include "serve/works/work.h"
 
 namespace clearcut::serve {
@@ -20,12 +19,12 @@ class WaitingConnections {
   explicit WaitingConnections(std::size_t most) : most_(most) {}
   void opened();
   void closed();
-  /// Waits until `socket` allows `events` (POLLIN, POLLOUT), at most until `end`. False if it does not or was closed.
-  bool wait(int socket, short events, Clock::time_point began, Clock::time_point end);
+  /// Waits until `socket` is ready, at most until `end`. False if it is not or was closed.
+  bool wait(socket_t socket, Direction direction, Clock::time_point began, Clock::time_point end);
   void give_up_all();
 
  private:
-  using Entry = std::pair<Clock::time_point, int>;  ///< when the connection began, its socket
+  using Entry = std::pair<Clock::time_point, socket_t>;  ///< when the connection began, its socket
   /// Closes the oldest waiting connection if room is needed.
   void make_room();
 
@@ -39,7 +38,7 @@ class WaitingConnections {
 /// must arrive within `kLongestHead`, at any pace.
 class Connection : public httplib::Stream {
  public:
-  Connection(int socket, WaitingConnections& waiting);
+  Connection(socket_t socket, WaitingConnections& waiting);
   ~Connection() override;
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
@@ -59,7 +58,7 @@ class Connection : public httplib::Stream {
   /// Receives from the socket into `data`; 0 at the end, -1 if no data arrived in time.
   ssize_t receive(char* data, std::size_t size);
 
-  int socket_;
+  socket_t socket_;
   WaitingConnections& waiting_;
   Clock::time_point began_ = Clock::now();
   bool head_has_come_ = false;

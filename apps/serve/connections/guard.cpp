@@ -1,10 +1,9 @@
 #include "serve/connections/guard.h"
 
-#include <arpa/inet.h>
-
 #include <algorithm>
 #include <cctype>
 
+#include "serve/connections/socket.h"
 #include "serve/settings.h"
 
 namespace clearcut::serve {

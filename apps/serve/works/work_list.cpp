@@ -2,12 +2,12 @@
 
 #include <clearcut/error.h>
 #include <fmt/format.h>
-#include <sys/random.h>
 
 #include <algorithm>
 #include <array>
 
 #include "process/child_process.h"
+#include "process/own_process.h"
 #include "serve/works/result_files.h"
 
 namespace clearcut::serve {
@@ -49,8 +49,7 @@ Json results_of(const Work& work) {
 
 std::string new_id() {
   std::array<unsigned char, 16> bytes{};
-  if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
-    throw InternalError("no random numbers");
+  process::fill_randomly(bytes);
   std::string id;
   for (const unsigned char byte : bytes) id += fmt::format("{:02x}", byte);
   return id;

@@ -14,12 +14,11 @@ namespace clearcut::inline model {
 std::optional<EndPosition> end_position_named(std::string_view text) {
   if (text == "home") return EndPosition{EndPosition::Kind::kHome, {}};
   if (text == "none") return EndPosition{EndPosition::Kind::kStay, {}};
-  EndPosition end{EndPosition::Kind::kPlace, {}};
-  char rest = 0;
-  const std::string plain(text);
-  if (std::sscanf(plain.c_str(), "%lf,%lf%c", &end.place.x, &end.place.y, &rest) != 2) return std::nullopt;
-  if (!std::isfinite(end.place.x) || !std::isfinite(end.place.y)) return std::nullopt;
-  return end;
+  const std::size_t comma = std::min(text.find(','), text.size());
+  const auto x = plain_number(text.substr(0, comma)),
+             y = plain_number(text.substr(std::min(comma + 1, text.size())));
+  if (!x || !y) return std::nullopt;
+  return EndPosition{EndPosition::Kind::kPlace, {*x, *y}};
 }
 
 std::string name_of(const EndPosition& end) {

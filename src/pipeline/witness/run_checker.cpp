@@ -1,4 +1,5 @@
 #include "base/apart.h"
+#include "base/programs.h"
 #include "pipeline/witness/find_witness.h"
 
 namespace clearcut::pipeline {
@@ -9,7 +10,7 @@ constexpr int kCheckerSeconds = 600;  // of processor time; usually less than a 
 }  // namespace
 
 std::string checker_program() {
-  return companion("clearcut-check", "");
+  return companion("clearcut-check");
 }
 
 std::optional<std::string> claims_by_checker(const std::string& program_file, const std::string& part_file,

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kLargestJob = std::size_t{16} << 20;
 
 fs::path beside(const std::string& job_file, const std::string& name) {
-  return fs::path(job_file).parent_path() / name;
+  return (fs::path(job_file).parent_path() / name).generic_string();
 }
 
 /// A coordinate: within a kilometre.

@@ -89,7 +89,7 @@ ParameterValues stated_parameters(DataSection& section) {
   if (!name) return {};
   const std::string place = section.place_of("parameters");
   const std::filesystem::path named_in(place.substr(0, place.rfind(':')));
-  ParameterValues values = parameters_in((named_in.parent_path() / *name).string());
+  ParameterValues values = parameters_in((named_in.parent_path() / *name).generic_string());
   const auto shifted = values.find(5210);
   if (shifted != values.end() && shifted->second != 0)
     section.fail_at(

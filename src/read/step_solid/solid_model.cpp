@@ -2,6 +2,7 @@
 
 #include "base/apart.h"
 #include "base/error.h"
+#include "base/programs.h"
 #include "read/part21/part21.h"
 
 namespace clearcut::read {

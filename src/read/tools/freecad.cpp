@@ -117,7 +117,7 @@ Tool tool_of(const DataValue& root, ToolKind kind) {
 std::optional<fs::path> find_bit(const fs::path& library, const std::string& name) {
   const fs::path folder = library.parent_path();
   for (const fs::path& place : {folder / name, folder / "Bit" / name, folder / ".." / "Bit" / name}) {
-    if (is_file(place)) return place;
+    if (is_file(place)) return place.generic_string();
   }
   return std::nullopt;
 }

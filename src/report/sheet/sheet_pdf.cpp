@@ -1,5 +1,6 @@
 #include "base/apart.h"
 #include "base/error.h"
+#include "base/programs.h"
 #include "report/sheet/sheet_json.h"
 #include "report/sheet/sheet_writers.h"
 

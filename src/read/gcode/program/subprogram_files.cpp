@@ -14,7 +14,7 @@ SubprogramFiles files_beside(const std::string& program) {
     const std::filesystem::path path = folder / name;
     if (!is_file(path)) return std::nullopt;
     constexpr std::size_t kLargest = std::size_t{64} << 20;
-    return read_file(path.string(), kLargest);
+    return read_file(path.generic_string(), kLargest);
   };
 }
 

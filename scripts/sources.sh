@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
-# sources.sh FOLDER: sources of the libraries that the web build compiles itself, as Debian has them (`apt-get source`, which
-# checks their signatures). Does nothing where they lie there already. The system's own list of sources stays as it is.
+# sources.sh FOLDER PACKAGE...: sources of libraries that the builds for the web and for Windows compile themselves, as Debian has
+# them (`apt-get source`, which checks their signatures). Does nothing where they lie there already. The system's own list of
+# sources stays as it is.
 set -euo pipefail
 folder=$1
-packages=(libpolyclipping pugixml fmtlib)
+shift
+packages=("$@")
 mkdir -p "$folder"
 cd "$folder"
 present() { for one in "${packages[@]}"; do compgen -G "$one-[0-9]*/" > /dev/null || return 1; done; }

@@ -1,0 +1,2 @@
+/* What musl's sources take of its own header of this name. */
+#define hidden
