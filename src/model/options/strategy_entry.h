@@ -3,7 +3,6 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,13 +40,6 @@ enum class AutoUse {
   kBriefly  ///< likewise, with a short search
 };
 
-/// Where stretches of passes that cut nothing are taken out.
-enum class AirCuts {
-  kStay,  ///< nowhere: published methods are compared as they are, and with a limit of the engagement what one pass leaves others cut
-  kOutOfOpen,  ///< where sides are open; the passes of pockets have hardly any
-  kOut         ///< everywhere
-};
-
 struct StrategyEntry {
   std::string name;         ///< name in options and files
   std::string description;  ///< one line for people
@@ -59,7 +51,6 @@ struct StrategyEntry {
   /// False: its lines run in both directions; "auto" does not try it if a direction is requested.
   bool keeps_direction = true;
   bool takes_stepover = true;  ///< false: "auto" does not pass a stepover to it
-  AirCuts air_cuts = AirCuts::kStay;
   /// In "auto" also planned if a feature has open sides and the first two strategies are planned.
   bool tried_when_open = false;
 
@@ -73,8 +64,6 @@ struct StrategyEntry {
 
   /// Objectives of its own search, each a plan to choose from where figures of certificates decide; empty: no search.
   std::vector<ObjectiveKind> orders;
-  /// Another form of the strategy, planned as well where sides are open; the fastest is kept. Null: none.
-  std::shared_ptr<const StrategyEntry> form_for_open;
   std::vector<std::string> rivals;  ///< names of strategies also planned; the fastest is kept
   /// Stepovers, "" for the strategy's own, tried in turn if no plan is certified clean.
   std::vector<std::string> fallbacks;

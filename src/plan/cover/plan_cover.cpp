@@ -203,7 +203,6 @@ StrategyEntry entry() {
   entry.description = "the shortest path found that clears all, for faces and open blocks";
   entry.make = make_cover;
   entry.keeps_direction = false;
-  entry.air_cuts = AirCuts::kOutOfOpen;
   entry.takes_stepover = false;
   entry.in_auto = AutoUse::kBriefly;
   entry.tried_when_open = true;

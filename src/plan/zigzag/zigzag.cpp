@@ -276,7 +276,6 @@ StrategyEntry entry() {
   entry.description = "parallel lines to and fro, then along the walls";
   entry.make = make;
   entry.keeps_direction = false;
-  entry.air_cuts = AirCuts::kOutOfOpen;
   entry.in_auto = AutoUse::kTried;
   return entry;
 }
