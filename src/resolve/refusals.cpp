@@ -19,6 +19,7 @@
 #include "model/results/findings.h"
 #include "model/results/nothing_to_machine.h"
 #include "resolve/features/clamps.h"
+#include "resolve/features/hole_tools.h"
 #include "resolve/resolve.h"
 #include "resolve/unreached.h"
 
@@ -31,9 +32,6 @@ constexpr double kLevel = 0.01;
 constexpr double kBeside = 0.01;
 /// Relative difference of areas that are one.
 constexpr double kSameArea = 1e-6;
-/// mm. Permitted depth below the material of a cut not marked as going through: the surface below the board bears
-/// this.
-constexpr double kBelowStock = 0.5;
 /// Assumed reach of flutes of unknown length, in diameters.
 constexpr double kReachOfMill = 10;
 constexpr double kReachOfDrill = 20;
@@ -509,10 +507,6 @@ std::vector<std::string> unreached_steps(const Part& part, const Tolerances& tol
       reach.beyond[i].clear();
   }
   return std::move(reach.beyond);
-}
-
-bool comes_out_below(const Part& part, const Feature& feature, double z) {
-  return part.stock && !feature.through && part.stock->z_bottom - z > kBelowStock;
 }
 
 bool reaches_floor(const Part& part, const Feature& feature, const Tool& tool) {

@@ -20,10 +20,6 @@ std::vector<std::string> unreached_steps(const Part& part, const Tolerances& tol
 /// the feature is no deeper than such tools usually go.
 bool reaches_floor(const Part& part, const Feature& feature, const Tool& tool);
 
-/// Whether a tool that makes the feature, which does not go through, comes out below the material with its tip at z: the surface below
-/// the board bears only a little.
-bool comes_out_below(const Part& part, const Feature& feature, double z);
-
 /// Takes those of the workingsteps named by `rests` out of the workplan of `part` whose tools are too short for a floor that
 /// another step reaches, each an open condition "out-of-reach".
 void drop_unreached_rests(Part& part, const std::set<std::string>& rests, const Tolerances& tol);

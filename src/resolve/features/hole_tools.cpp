@@ -15,6 +15,9 @@ constexpr double kBesideThreadMill = 0.2;
 /// Least width of a bored hole as a multiple of the mill's width: the helix of a mill in a narrower hole has too many
 /// turns.
 constexpr double kLeastBore = 1.1;
+/// mm. Permitted depth below the material of a cut not marked as going through: the surface below the board bears
+/// this.
+constexpr double kBelowStock = 0.5;
 
 bool is(const Tool& tool, ToolKind kind, double width) {
   return tool.kind == kind && std::abs(tool.diameter - width) < kSameWidth;
@@ -119,6 +122,10 @@ int mill_for(const std::vector<Tool>& tools, const Pilot& pilot) {
         return mills_upright(tool) && tool.corner_radius == 0 && tool.diameter * kLeastBore <= pilot.best;
       },
       [](const Tool& tool) { return -tool.diameter; });
+}
+
+bool comes_out_below(const Part& part, const Feature& feature, double z) {
+  return part.stock && !feature.through && part.stock->z_bottom - z > kBelowStock;
 }
 
 }  // namespace clearcut::resolve

@@ -33,4 +33,8 @@ int drill_for(const std::vector<Tool>& tools, const Pilot& pilot);
 /// The widest mill able to bore the best width along a helix, or to clear it.
 int mill_for(const std::vector<Tool>& tools, const Pilot& pilot);
 
+/// Whether a tool that makes the feature, which does not go through, comes out below the material with its tip at z: the surface below
+/// the board bears only a little.
+bool comes_out_below(const Part& part, const Feature& feature, double z);
+
 }  // namespace clearcut::resolve

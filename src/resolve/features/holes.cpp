@@ -13,7 +13,6 @@
 #include "geometry/region.h"
 #include "resolve/features/hole_tools.h"
 #include "resolve/features/shaping.h"
-#include "resolve/unreached.h"
 #include "resolve/values/cutting_values.h"
 
 namespace clearcut::resolve {
