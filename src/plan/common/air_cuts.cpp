@@ -122,45 +122,70 @@ class Trimming {
     const Cover now(edges, proven_);
     std::vector<Vec2> left =
         now.holes([&](Vec2 p) { return target_.contains(p) && before_.holds(p, kBarely); });
-    // What is left at the border of the target may have the corners of its rim outside.
-    BoxIndex near(2 * job_.radius), taken(2 * job_.radius);
-    for (std::uint32_t i = 0; i < edges.size(); ++i) near.add(box_of(edges[i]).grown(proven_), i);
-    for (const std::uint32_t i : taken_pieces()) taken.add(box_of(pieces_[i].path).grown(proven_), i);
-    for (const Edge& side : geometry::edges_of(layer_.target)) {
-      const auto around = taken.near(side.box());
-      const bool has_changed = std::any_of(around.begin(), around.end(), [&](std::uint32_t i) {
-        return box_of(pieces_[i].path).grown(proven_).overlaps(side.box());
-      });
-      if (has_changed) add_left_on(side, edges, near, now, left);
-    }
+    // Other places that are newly left touch the rim of what a taken edge cleared, or the border of the target.
+    const Borders borders(edges, taken_edges(), proven_);
+    for (const Edge& side : geometry::edges_of(layer_.target)) add_left_on(side, borders, now, left);
+    for (const Edge& edge : borders.taken)
+      for (const Edge& rim : rim_of(edge, proven_ - 2 * kBarely)) add_left_on(rim, borders, now, left);
     return left;
   }
 
-  std::vector<std::uint32_t> taken_pieces() const {
+  /// What passes keep and what is taken from them, found by place.
+  struct Borders {
+    Borders(const std::vector<Edge>& now, std::vector<Edge> gone, double reach)
+        : edges(now), taken(std::move(gone)), by_edge(2 * reach), by_taken(2 * reach) {
+      for (std::uint32_t i = 0; i < edges.size(); ++i) by_edge.add(box_of(edges[i]).grown(reach), i);
+      for (std::uint32_t i = 0; i < taken.size(); ++i) by_taken.add(box_of(taken[i]).grown(reach), i);
+    }
+    const std::vector<Edge>& edges;
+    std::vector<Edge> taken;
+    BoxIndex by_edge, by_taken;
+  };
+
+  /// The stretches of edges that are taken.
+  std::vector<Edge> taken_edges() const {
     std::vector<bool> stays(pieces_.size(), false);
     for (const Remains& remains : remains_)
       for (const Run& run : remains.runs)
         for (const std::uint32_t piece : run) stays[piece] = true;
-    std::vector<std::uint32_t> taken;
-    for (std::uint32_t i = 0; i < pieces_.size(); ++i)
-      if (!stays[i]) taken.push_back(i);
+    std::vector<Edge> taken;
+    for (std::size_t pass = 0; pass + 1 < first_.size(); ++pass) {
+      for (std::uint32_t i = first_[pass]; i < first_[pass + 1];) {
+        std::uint32_t end = i + 1;
+        while (end < first_[pass + 1] && stays[end] == stays[i] && pieces_[end].edge == pieces_[i].edge)
+          ++end;
+        const Edge& edge = layer_.passes[pass].path[pieces_[i].edge];
+        const double from = pieces_[i].from, to = pieces_[end - 1].to;
+        if (!stays[i]) taken.push_back(from == 0 && to == 1 ? edge : edge.part(from, to));
+        i = end;
+      }
+    }
     return taken;
   }
 
-  /// Adds the middles of those parts of one side of the target that are left. Each part lies between two intersections of the
-  /// side with the rims of what single edges clear.
-  void add_left_on(const Edge& side, const std::vector<Edge>& edges, const BoxIndex& near, const Cover& now,
+  /// Adds the middles of those parts of `curve` that are left. Each part lies between two intersections of the curve with the
+  /// rims of what single edges clear, or cleared before.
+  void add_left_on(const Edge& curve, const Borders& borders, const Cover& now,
                    std::vector<Vec2>& left) const {
+    const auto reached_by = [&](const std::vector<Edge>& edges, const BoxIndex& index) {
+      std::vector<const Edge*> found;
+      for (const std::uint32_t i : index.near(curve.box()))
+        if (box_of(edges[i]).grown(proven_).overlaps(curve.box())) found.push_back(&edges[i]);
+      return found;
+    };
+    std::vector<const Edge*> around = reached_by(borders.taken, borders.by_taken);
+    if (around.empty()) return;
+    const auto others = reached_by(borders.edges, borders.by_edge);
+    around.insert(around.end(), others.begin(), others.end());
     std::vector<double> cuts{0, 1};
-    for (const std::uint32_t i : near.near(side.box())) {
-      if (!box_of(edges[i]).grown(proven_).overlaps(side.box())) continue;
-      for (const Edge& rim : rim_of(edges[i], proven_))
-        for (const Vec2 p : intersections(side, rim)) cuts.push_back(nearest(side, p).t);
-    }
+    for (const Edge* edge : around)
+      for (const Edge& rim : rim_of(*edge, proven_))
+        for (const Vec2 p : intersections(curve, rim)) cuts.push_back(nearest(curve, p).t);
     std::sort(cuts.begin(), cuts.end());
     for (std::size_t i = 1; i < cuts.size(); ++i) {
-      const Vec2 middle = side.at((cuts[i - 1] + cuts[i]) / 2);
-      if (!now.holds(middle) && before_.holds(middle, kBarely)) left.push_back(middle);
+      const Vec2 middle = curve.at((cuts[i - 1] + cuts[i]) / 2);
+      const bool is_inside = target_.contains(middle) || target_.is_near_boundary(middle, kBarely);
+      if (is_inside && !now.holds(middle) && before_.holds(middle, kBarely)) left.push_back(middle);
     }
   }
 

@@ -119,7 +119,7 @@ TEST(AirCuts, ALongWayThroughAirPartsAPass) {
 /// Random lines over a target, of which most clear what others clear, too: every place that was cleared still is.
 TEST(AirCuts, WhatWasClearedStaysCleared) {
   int shorter = 0;
-  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     Random random(seed);
     const auto point = [&] { return Vec2{random.between(-10, 50), random.between(-10, 40)}; };
     std::vector<Pass> passes;
@@ -138,7 +138,7 @@ TEST(AirCuts, WhatWasClearedStaysCleared) {
       EXPECT_LE(distance_to(after->passes, p), kToolRadius) << seed << ": " << p.x << " " << p.y;
     }
   }
-  EXPECT_GT(shorter, 15);
+  EXPECT_GT(shorter, 6);
 }
 
 }  // namespace
