@@ -125,6 +125,7 @@ class Trimming {
     // Other places that are newly left touch the rim of what a taken edge cleared, or the border of the target.
     const Borders borders(edges, taken_edges(), proven_);
     for (const Edge& side : geometry::edges_of(layer_.target)) add_left_on(side, borders, now, left);
+    if (!left.empty()) return left;  // asked again when those places are cleared
     for (const Edge& edge : borders.taken)
       for (const Edge& rim : rim_of(edge, proven_ - 2 * kBarely)) add_left_on(rim, borders, now, left);
     return left;
@@ -177,10 +178,12 @@ class Trimming {
     if (around.empty()) return;
     const auto others = reached_by(borders.edges, borders.by_edge);
     around.insert(around.end(), others.begin(), others.end());
+    const Box around_curve = curve.box().grown(kTouching);
     std::vector<double> cuts{0, 1};
     for (const Edge* edge : around)
       for (const Edge& rim : rim_of(*edge, proven_))
-        for (const Vec2 p : intersections(curve, rim)) cuts.push_back(nearest(curve, p).t);
+        if (rim.box().overlaps(around_curve))
+          for (const Vec2 p : intersections(curve, rim)) cuts.push_back(nearest(curve, p).t);
     std::sort(cuts.begin(), cuts.end());
     for (std::size_t i = 1; i < cuts.size(); ++i) {
       const Vec2 middle = curve.at((cuts[i - 1] + cuts[i]) / 2);
