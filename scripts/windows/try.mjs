@@ -12,7 +12,8 @@ const [command, unpacked, examples, folder] = process.argv.slice(2).map(word => 
 const quiet = {
   ...process.env,
   NO_COLOR: '1',
-  COLUMNS: '100'
+  COLUMNS: '100',
+  CLEARCUT_PROGRESS: 'json'
 };
 const homes = {
   own: [command],
@@ -129,12 +130,12 @@ check(
 newFolders();
 for (const home of ['own', 'wine']) {
   mkdirSync(path.join(folder, home, 'parts/deep'), {recursive: true});
-  copyFileSync(path.join(examples, 'plate.dxf'), path.join(folder, home, 'parts/deep/plate.dxf'));
+  copyFileSync(path.join(examples, 'bracket.dxf'), path.join(folder, home, 'parts/deep/bracket.dxf'));
   copyFileSync(path.join(examples, 'inch_plate.dxf'), path.join(folder, home, 'parts/inch.dxf'));
 }
 for (const home of /** @type {('own' | 'wine')[]} */ (['own', 'wine']))
   check(run(home, ['batch', 'parts', ...words('--tool endmill:3 --jobs 2 --quiet'), '-o', 'out']).code !== null, `a batch (${home})`);
-for (const name of ['deep/plate.dxf.ngc', 'inch.dxf.ngc', 'results.csv', 'results.json']) {
+for (const name of ['deep/bracket.dxf.ngc', 'inch.dxf.ngc', 'results.csv', 'results.json']) {
   const [a, b] = ['own', 'wine'].map(home => path.join(folder, home, 'out', name));
   check(existsSync(a) && existsSync(b) && readFileSync(a).equals(readFileSync(b)), `${name} of a batch`);
 }
