@@ -45,7 +45,7 @@ foreach(name Boost::headers nlohmann_json::nlohmann_json PkgConfig::tomlplusplus
 endforeach()
 add_library(PkgConfig::httplib ALIAS clearcut_windows_httplib)
 
-# Nothing but Windows is needed where a program runs; the stack is as large as on Linux.
-add_link_options(-static -Wl,--stack,8388608)
+# Nothing but Windows is needed where a program runs; the stack is as large as on Linux; the same sources give the same bytes.
+add_link_options(-static -s -Wl,--stack,8388608 -Wl,--no-insert-timestamp)
 enable_language(RC)
 set(CLEARCUT_PROGRAM_SOURCES ${CLEARCUT_WINDOWS_FOLDER}/program.cpp ${CLEARCUT_WINDOWS_FOLDER}/program.rc)

@@ -11,7 +11,7 @@ rm -rf "$build/zip" "$build/$name.zip"
 mkdir -p "$root/examples" "$root/licenses"
 
 for program in clearcut clearcut-serve clearcut-studies clearcut-check; do
-  x86_64-w64-mingw32-strip -o "$root/$program.exe" "$build/apps/cli/$program.exe"
+  cp "$build/apps/cli/$program.exe" "$root/"
   # Libraries that come with Windows: anything else would be missing where the programs run.
   foreign=$(x86_64-w64-mingw32-objdump -p "$root/$program.exe" | sed -n 's/^.*DLL Name: //p' | grep -vixE '(kernel32|msvcrt|advapi32|user32|bcrypt|ws2_32)\.dll' || true)
   [ -z "$foreign" ] || { echo "zip.sh: $program.exe needs $foreign" >&2; exit 1; }
