@@ -168,17 +168,19 @@ bool wants_all_in_reach(const resolve::PlanOptions& asked) {
          std::find(accepted.begin(), accepted.end(), "out-of-reach") != accepted.end();
 }
 
-/// Whether a plan with all given tools has a step for what wider mills leave whose tool is not among the `called` ones; false where
-/// there is no such plan.
-bool has_rest_of_others(const resolve::PlanOptions& asked, const std::vector<Tool>& called,
-                        const Resolver& resolved) {
+/// Whether a plan with all given tools has a step for what wider mills leave whose tool is not among the `called` ones.
+bool has_rest_of_others(const Part& part, const std::vector<Tool>& called) {
+  return std::any_of(part.workplan.begin(), part.workplan.end(), [&](const Workingstep& step) {
+    return step.operation.rest && !tool_numbered(called, tool_of(part, step).number);
+  });
+}
+
+/// Nothing where the part cannot be made.
+std::optional<ResolvedPlan> resolved_if_made(const resolve::PlanOptions& asked, const Resolver& resolved) {
   try {
-    const Part part = resolved(asked).part;
-    return std::any_of(part.workplan.begin(), part.workplan.end(), [&](const Workingstep& step) {
-      return step.operation.rest && !tool_numbered(called, tool_of(part, step).number);
-    });
+    return resolved(asked);
   } catch (const InputError&) {
-    return false;
+    return std::nullopt;
   }
 }
 
@@ -187,17 +189,16 @@ bool has_rest_of_others(const resolve::PlanOptions& asked, const std::vector<Too
 ResolvedPlan resolved_for(const Toolpath& toolpath, resolve::PlanOptions& asked, const Resolver& resolved) {
   resolve::PlanOptions called = with_tools_of(toolpath, asked);
   if (called.tools.size() == asked.tools.size()) return resolved(asked);
-  try {
-    ResolvedPlan plan = resolved(called);
-    if (leaves_a_feature_out(plan.part, asked.tools, plan.tol) ||
-        leaves_a_rest_out(plan.part, asked, plan.tol) ||
-        (wants_all_in_reach(asked) && has_rest_of_others(asked, called.tools, resolved)))
-      return resolved(asked);
-    asked = std::move(called);
-    return plan;
-  } catch (const InputError&) {  // reported below if it also fails with all tools
+  std::optional<ResolvedPlan> plan = resolved_if_made(called, resolved);
+  if (!plan || leaves_a_feature_out(plan->part, asked.tools, plan->tol) ||
+      leaves_a_rest_out(plan->part, asked, plan->tol))
     return resolved(asked);
+  if (wants_all_in_reach(asked)) {
+    std::optional<ResolvedPlan> all = resolved_if_made(asked, resolved);
+    if (all && has_rest_of_others(all->part, called.tools)) return *std::move(all);
   }
+  asked = std::move(called);
+  return *std::move(plan);
 }
 
 /// Values stated for the tool of a workingstep of `prepared` take precedence over those of `stated`, the step as read

@@ -69,7 +69,8 @@ class BeginWriter {
     return "F" + trimmed(feed / (words_.feeds_in_mm ? 1 : held_.modes.unit), 6);
   }
 
-  /// As the program so far has met them, of which one may not be called any more.
+  /// States the number of each named tool: names are otherwise numbered in the order of their calls, and the resumed program may not call
+  /// all of them.
   void number_tools() {
     if (words_.tool_numbers.size() < 2) return;
     for (const auto& [name, number] : words_.tool_numbers)

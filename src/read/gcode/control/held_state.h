@@ -77,7 +77,7 @@ struct HeldState {
   HeldWords words;
 };
 
-/// Keeps the words that switch on what is on `now`, where no control has words of its own for it.
+/// Keeps M8 and M7 for the coolant that is on `now`, of languages in which these are the only words of flood and mist.
 void keep_coolant(Coolant before, Coolant now, HeldWords& words);
 
 /// s that a program waits between the last start of the spindle and the motion after it.

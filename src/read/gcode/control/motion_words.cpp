@@ -61,11 +61,7 @@ void MotionWords::move(const Block& block) {
 /// What no control here does by the word, or what a path in a stock seen from above cannot show.
 void MotionWords::refuse_motion() const {
   const int code = control_.motion;
-  if (bores_from_below(control_.rules, code))
-    control_.refuse(
-        g_word(code) +
-        " bores from below, where its bar comes past the hole's wall aside and turned, which is not "
-        "read; check that hole apart");
+  if (bores_from_below(control_.rules, code)) control_.refuse(g_word(code) + std::string(kBoresFromBelow));
   if (code == 870 || code == 880)
     control_.refuse(g_word(code) + " does nothing that " + std::string(control_.rules.title) +
                     " states; bore by G85, G86 or G89");
@@ -260,15 +256,11 @@ ArcShape MotionWords::arc_shape(const Block& block, Vec2 from, Vec2 to) {
 }
 
 void MotionWords::plan_arc(const Block& block, const ArcShape& shape, double z_to) {
-  const std::vector<Edge> edges = arc_edges(shape);
   const double z_from = control_.builder.known(2, control_.line);
   const double round = shape.sweep * distance(shape.from, shape.center);
   const double apart = std::abs(distance(shape.from, shape.center) - distance(shape.to, shape.center));
   const MmPerMin feed = control_.feed_for(base::hypot(round, z_to - z_from), block);
-  for (std::size_t k = 0; k < edges.size(); ++k) {
-    const double t = static_cast<double>(k + 1) / static_cast<double>(edges.size());
-    control_.builder.arc(edges[k], std::lerp(z_from, z_to, t), feed, control_.line, apart);
-  }
+  control_.builder.arc(shape, z_to, feed, control_.line, apart);
 }
 
 void MotionWords::upright_arc(const ArcShape& shape, double along) {

@@ -371,12 +371,16 @@ void PlaceWords::use_plain_system(int code) {
   control_.condition(lower(g_word(code)), g_word(code) + " has its origin where the work's is");
 }
 
-/// G43.2 adds to the length in force: one that is stated, or one of the tool table.
-void PlaceWords::add_length(const Block& block) {
+void PlaceWords::refuse_lengths_in_plan(int code, const Block& block) const {
   for (const char letter : {'X', 'Y'}) {
     if (block.has(letter) && block.value(letter) != 0)
-      control_.refuse("G43.2 with X or Y is not read; post without it");
+      control_.refuse(g_word(code) + " with X or Y is not read; post without it");
   }
+}
+
+/// G43.2 adds to the length in force: one that is stated, or one of the tool table.
+void PlaceWords::add_length(const Block& block) {
+  refuse_lengths_in_plan(432, block);
   if (block.has('H') == block.has('Z'))
     control_.refuse("G43.2 asks for the number of a length H, or the length Z itself; give one of them");
   control_.adds_length = true;
@@ -393,10 +397,7 @@ void PlaceWords::set_length(int code, const Block& block) {
   if (code == 490) {
     length.kind = LengthKind::kOff;
   } else if (code == 431) {
-    for (const char letter : {'X', 'Y'}) {
-      if (block.has(letter) && block.value(letter) != 0)
-        control_.refuse("G43.1 with X or Y is not read; post without it");
-    }
+    refuse_lengths_in_plan(code, block);
     length.kind = LengthKind::kStatedHeight;
     length.stated_mm = block.has('Z') ? control_.mm(block.value('Z')) : 0;
     control_.condition("tool-length-g43.1",

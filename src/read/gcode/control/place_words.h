@@ -37,6 +37,7 @@ class PlaceWords {
   void scale(const Block& block);
   void set_scales(const Block& block, PlanMap& map);
   double scale_of(char letter, const Block& block) const;
+  void refuse_lengths_in_plan(int code, const Block& block) const;
   void add_length(const Block& block);
   void mirror(const Block& block, bool on);
 

@@ -13,7 +13,6 @@
 #include "base/text.h"
 #include "read/gcode/klartext/klartext.h"
 #include "read/gcode/klartext/words.h"
-#include "read/gcode/motion/arc.h"
 #include "read/gcode/motion/cycle.h"
 
 namespace clearcut::read::gcode {
@@ -227,14 +226,7 @@ class Maker {
     along({low, middle, (low + middle) / 2, turn, kPi}, bottom_);
   }
 
-  void along(const ArcShape& shape, double z_to) {
-    const std::vector<Edge> edges = arc_edges(shape);
-    const double z_from = builder_.known(2, line_);
-    for (std::size_t k = 0; k < edges.size(); ++k) {
-      const double t = static_cast<double>(k + 1) / static_cast<double>(edges.size());
-      builder_.arc(edges[k], std::lerp(z_from, z_to, t), feed_in(), line_);
-    }
-  }
+  void along(const ArcShape& shape, double z_to) { builder_.arc(shape, z_to, feed_in(), line_); }
 
   /// Where MAX is asked for it goes up at the rapid alone.
   void feed_out_of_hole() {

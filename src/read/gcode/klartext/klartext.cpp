@@ -621,9 +621,7 @@ void Reader::cycle(const std::vector<std::string>& words) {
   if (words.size() >= 3 && words[1] == "DEF" && cycle == "10") return turn_about_datum(words);
   if (words.size() < 3 || words[1] != "DEF" || (cycle != "9" && cycle != "32" && cycle != "247")) {
     refuse("cycle " + cycle.substr(0, 20) +
-           (cycle == "204" ? " bores from below, where its tool comes past the hole's wall aside and turned, "
-                             "which is not read; check that hole apart"
-                           : " is not read; post its moves one by one"));
+           std::string(cycle == "204" ? kBoresFromBelow : " is not read; post its moves one by one"));
   }
   if (number_word == "9.1") {
     const std::size_t digits =
@@ -951,12 +949,7 @@ void Reader::arc(const ArcShape& shape, double z_to) {
   heading_ = tangent_at(shape.to);
   if (builder_.compensation_begins())
     refuse("radius compensation begins with an arc; enter along a straight line");
-  const std::vector<Edge> edges = arc_edges(shape);
-  const double z_from = builder_.known(2, line_);
-  for (std::size_t k = 0; k < edges.size(); ++k) {
-    const double t = static_cast<double>(k + 1) / static_cast<double>(edges.size());
-    builder_.arc(edges[k], std::lerp(z_from, z_to, t), MmPerMin::of(feed_), line_);
-  }
+  builder_.arc(shape, z_to, MmPerMin::of(feed_), line_);
 }
 
 double Reader::size_in(const std::optional<std::string>& text, const std::string& name) const {

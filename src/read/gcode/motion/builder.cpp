@@ -98,6 +98,15 @@ void ToolpathBuilder::feed(const Target& target, MmPerMin feed, int line) {
   straight(target, false, feed, line);
 }
 
+void ToolpathBuilder::arc(const ArcShape& shape, double z_to, MmPerMin feed, int line, double apart) {
+  const std::vector<Edge> edges = arc_edges(shape);
+  const double z_from = known(2, line);
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const double t = static_cast<double>(k + 1) / static_cast<double>(edges.size());
+    arc(edges[k], std::lerp(z_from, z_to, t), feed, line, apart);
+  }
+}
+
 void ToolpathBuilder::arc(const Edge& path, double z_to, MmPerMin feed, int line, double apart) {
   Move move{path, known(2, line), z_to, MoveKind::kCut, feed, line};
   move.kind = guessed_kind(move, false);

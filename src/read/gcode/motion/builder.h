@@ -13,6 +13,7 @@
 #include "base/diagnostics.h"
 #include "model/control.h"
 #include "model/move.h"
+#include "read/gcode/motion/arc.h"
 #include "read/gcode/motion/compensation.h"
 #include "read/gcode/motion/corner.h"
 
@@ -69,6 +70,8 @@ class ToolpathBuilder {
   /// Along `path` (which starts at the known position) to height z_to.
   /// `apart`: mm between the radii at the ends of the whole arc.
   void arc(const Edge& path, double z_to, MmPerMin feed, int line, double apart = 0);
+  /// The same along an arc as programs say it, in even pieces, from the known height to z_to.
+  void arc(const ArcShape& shape, double z_to, MmPerMin feed, int line, double apart = 0);
   /// The moves that follow, up to the next round_corner(), lead to a corner that is rounded or chamfered: the last one waits for the move
   /// behind the corner.
   void expect_corner(int line);

@@ -41,7 +41,8 @@ struct CompensationRules {
   /// radians; moves that turn by less are taken as tangent: none is trimmed, nothing is inserted.
   double tangent = 1e-4;
   bool begins_in_plan = false;  ///< the first move after the word has to move X or Y by more than the radius
-  /// radians; so much more than was programmed an arc may sweep before it counts as running round the other way.
+  /// radians; so much more than was programmed an arc may sweep before it counts as running round the other way: a
+  /// thousandth of a turn.
   double more_sweep = 0.00628;
   bool looks_at_all = true;  ///< a move that would run backwards stops the control wherever it is
   bool exit_takes_height =

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "read/gcode/motion/builder.h"
 
@@ -17,6 +18,11 @@ void add_dwell_in_hole(ToolpathBuilder& builder, int line, double seconds);
 
 /// A boring bar stops turned at the bottom and goes aside before it comes out; `aside`: how far and where, in words.
 void note_oriented_retract(ToolpathBuilder& builder, int line, const std::string& aside);
+
+/// Why G77, G87 and cycle 204 are refused, behind their name.
+inline constexpr std::string_view kBoresFromBelow =
+    " bores from below, where its bar comes past the hole's wall aside and turned, which is not read; check "
+    "that hole apart";
 
 /// The words that hold during a run of cycle blocks, mm, as they were written.
 struct CycleWords {

@@ -10,7 +10,6 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -578,9 +577,7 @@ class SinumerikReader {
     for (const auto& [other, its] : tool_numbers_) last = std::max(last, its);
     const auto found = tool_numbers_.try_emplace(name, last + 1).first;
     const std::string number = std::to_string(found->second);
-    if (called_names_.insert(name).second)
-      control_.condition("tool-name-" + number,
-                         "T=\"" + name + "\" is the tool that is T" + number + " here");
+    control_.condition("tool-name-" + number, "T=\"" + name + "\" is the tool that is T" + number + " here");
     return found->second;
   }
 
@@ -926,7 +923,6 @@ class SinumerikReader {
   std::string high_speed_;  ///< the call of CYCLE832 in force, as text
   std::optional<SinumerikWord> modal_;
   std::map<std::string, int> tool_numbers_;
-  std::set<std::string> called_names_;
   Rounding rounding_ = Rounding::kUnstated;
   std::optional<double> contour_word_, distance_word_;  ///< in the program's unit
   std::optional<double> contour_mm_;
