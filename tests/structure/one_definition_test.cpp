@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <set>
 
@@ -27,6 +28,11 @@ TEST(OneDefinition, TypesAreFoundWithTheirNamespaces) {
       ElementsAre("a::S", "a::E"));
   EXPECT_THAT(shared_definitions("namespace a { template <> struct S<int> {}; union U {}; }"),
               ElementsAre("a::S<int>", "a::U"));
+  EXPECT_THAT(
+      shared_definitions("namespace a { using S = int; template <class T> using V = X<T>; using b::c; }"),
+      ElementsAre("a::S =", "a::V ="));
+  EXPECT_THAT(shared_definitions("namespace a { namespace { using S = int; } struct T { using U = int; }; }"),
+              ElementsAre("a::T"));
 }
 
 TEST(OneDefinition, FunctionsAreFoundWithTheirParameters) {
@@ -59,21 +65,36 @@ bool is_source(const fs::path& file) {
   return file.extension() == ".h" || file.extension() == ".cpp";
 }
 
-/// Everything that can come together in one program. Files of tests have programs of their own, and of NAME.cpp and
-/// NAME_windows.cpp a program has one.
-std::map<std::string, std::set<std::string>> files_by_definition(const fs::path& root) {
-  std::map<std::string, std::set<std::string>> files;
+/// Calls `visit` with everything that can come together in one program. Files of tests have programs of their own, and of NAME.cpp
+/// and NAME_windows.cpp a program has one.
+void for_sources(const fs::path& root, const std::function<void(const fs::path&)>& visit) {
   for (const char* folder : {"src", "studies", "include"}) {
     if (!fs::exists(root / folder)) continue;
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
       const fs::path& file = entry.path();
       const std::string stem = file.stem().string();
       if (!is_source(file) || stem.ends_with("_test") || stem.ends_with("_windows")) continue;
-      for (const auto& name : shared_definitions(read_file(file.string())))
-        files[name].insert(fs::relative(file, root).string());
+      visit(file);
     }
   }
+}
+
+std::map<std::string, std::set<std::string>> files_by_definition(const fs::path& root) {
+  std::map<std::string, std::set<std::string>> files;
+  for_sources(root, [&](const fs::path& file) {
+    for (const auto& name : shared_definitions(read_file(file.string())))
+      files[name].insert(fs::relative(file, root).string());
+  });
   return files;
+}
+
+// The builds for pages and Windows compile several sources as one: an alias beyond its own file meets others of its name there.
+TEST(OneDefinition, AliasesOfSourcesStandInNamespacesWithoutName) {
+  for_sources(CLEARCUT_SOURCE_DIR, [](const fs::path& file) {
+    if (file.extension() != ".cpp") return;
+    for (const auto& name : shared_definitions(read_file(file.string())))
+      EXPECT_FALSE(name.ends_with(" =")) << name << " in " << file;
+  });
 }
 
 TEST(OneDefinition, NoNameIsDefinedInTwoFiles) {

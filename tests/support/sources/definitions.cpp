@@ -93,6 +93,7 @@ class Scanner {
         if (!scopes_.empty()) scopes_.pop_back();
         head.clear();
       } else if (word == ";") {
+        add_alias(head);
         head.clear();
       } else {
         head.push_back(word);
@@ -110,8 +111,7 @@ class Scanner {
 
   void open(const Words& whole) {
     Words head = without_preamble(whole);
-    const bool shared = std::all_of(scopes_.begin(), scopes_.end(),
-                                    [](const Scope& scope) { return scope.kind == Kind::kNamed; });
+    const bool shared = is_shared();
     const bool inlined = head.size() > 1 && head[0] == "inline" && head[1] == "namespace";
     if (inlined) head.erase(head.begin());
     if (!head.empty() && head[0] == "namespace") {
@@ -127,6 +127,18 @@ class Scanner {
       if (!name.empty()) found_.push_back(place() + name);
     }
     scopes_.push_back({});
+  }
+
+  /// Whether what stands here belongs to the whole program.
+  bool is_shared() const {
+    return std::all_of(scopes_.begin(), scopes_.end(),
+                       [](const Scope& scope) { return scope.kind == Kind::kNamed; });
+  }
+
+  void add_alias(const Words& whole) {
+    const Words head = without_preamble(whole);
+    if (is_shared() && head.size() > 2 && head[0] == "using" && head[2] == "=")
+      found_.push_back(place() + head[1] + " =");
   }
 
   std::string place() const {
