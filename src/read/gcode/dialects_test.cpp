@@ -113,6 +113,34 @@ TEST(GcodeConditions, WordsThatLinuxCncDoesNotHave) {
   EXPECT_EQ(conditions("G21 G61 G17 G90 G0 X0 Y0 Z5\nM117\nM2"), "m117@2");
 }
 
+TEST(GcodeDialects, CommentsNameTheControl) {
+  const auto control = [](const std::string& text) { return recognised(text, "").dialect; };
+  const std::string cut = "\nG21 G90\nM3 S5000\nG0 X1. Y1.\nG1 Z-1. F100.\nM30\n";
+  EXPECT_EQ(control("(plate)" + cut), Dialect::kLinuxCnc);
+  EXPECT_EQ(control("(Post processor: Mach3.post)" + cut), Dialect::kMach3);
+  EXPECT_EQ(control("( for Mach2/3 from Vectric )" + cut), Dialect::kMach3);
+  EXPECT_EQ(control("; Post processor: grbl" + cut), Dialect::kGrbl);
+  EXPECT_EQ(control("(Post Processor: grbl_post)" + cut), Dialect::kGrbl);
+  EXPECT_EQ(control("; GRBL device profile, absolute coords" + cut), Dialect::kGrbl);
+  EXPECT_EQ(control("%\nO0001 (PLATE)\n(HAAS VF2)" + cut), Dialect::kHaas);
+  EXPECT_EQ(control("%\nO0001 (PLATE)\n(MAZAK)" + cut), Dialect::kMazak);
+  // Two names, words that Grbl has not, and words of one control are stronger.
+  EXPECT_EQ(control("%\nO0001 (FROM HAAS TO MAZAK)" + cut), Dialect::kFanuc);
+  EXPECT_EQ(control("; grbl\nG81 X1. Y1. Z-1. R1. F100.\nG80" + cut), Dialect::kLinuxCnc);
+  EXPECT_EQ(control("(mach3)\nG64 P0.01" + cut), Dialect::kLinuxCnc);
+}
+
+TEST(GcodeDialects, PathPilotsPostsSwitchScalesOff) {
+  const auto begin = [](const std::string& words) {
+    return recognised(
+               "G90 G54 " + words + " G17 G40 G80 G94 G91.1 G49\nG21\nG30\nT1 G43 H1 M6\nS5000 M3\nM30\n", "")
+        .dialect;
+  };
+  EXPECT_EQ(begin("G64 G50"), Dialect::kTormach);
+  EXPECT_EQ(begin("G64 P0.01 G50"), Dialect::kTormach);
+  EXPECT_EQ(begin("G64 P0.01"), Dialect::kLinuxCnc);
+}
+
 /// LinuxCNC stops at the next feed move without F, although the mode is the one that was in force.
 TEST(GcodeDialects, TheWordOfAFeedModeEndsTheFeed) {
   const auto feed = [](Dialect dialect, const std::string& end) {

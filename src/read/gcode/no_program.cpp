@@ -17,16 +17,77 @@ std::string_view trimmed_left(std::string_view text) {
   return text.substr(std::min(text.find_first_not_of(kBlank), text.size()));
 }
 
-/// "[part]", after comments.
-bool is_job(std::string_view text) {
+std::string_view without_blanks(std::string_view text) {
+  text = trimmed_left(text);
+  while (!text.empty() && kBlank.find(text.back()) != std::string_view::npos) text.remove_suffix(1);
+  return text;
+}
+
+/// The first line that is no comment of the kind that `is_comment` knows, without blanks at both ends; "" where there is none.
+template <typename IsComment>
+std::string_view first_line(std::string_view text, IsComment is_comment) {
   Lines lines(text);
   for (std::string_view line; lines.next(line);) {
-    line = trimmed_left(line);
-    const bool is_comment = line.size() > 1 && line[0] == '#' && (line[1] == ' ' || line[1] == '#');
-    if (!line.empty() && !is_comment) return line[0] == '[';
+    line = without_blanks(line);
+    if (!line.empty() && !is_comment(line)) return line;
   }
-  return false;
+  return {};
 }
+
+/// "[part]", after comments: no blank stands in the name, as in comments of some controls.
+bool is_job(std::string_view text) {
+  const std::string_view line = first_line(text, [](std::string_view one) {
+    return one.size() > 1 && one[0] == '#' && (one[1] == ' ' || one[1] == '#');
+  });
+  return line.substr(0, 1) == "[" && line.substr(0, line.find(']')).find(' ') == std::string_view::npos;
+}
+
+/// Blocks of Heidenhain's ISO language end with a star.
+bool is_iso_of_heidenhain(std::string_view start) {
+  const std::string_view line = first_line(start, [](std::string_view one) { return one[0] == ';'; });
+  return line.size() > 1 && line.back() == '*' && (line[0] == '%' || line[0] == 'N' || line[0] == 'G');
+}
+
+/// "$PART.MIN%": the name of the file.
+bool is_okuma(std::string_view start) {
+  return start[0] == '$' && start.substr(0, start.find_first_of("\r\n")).find('%') != std::string_view::npos;
+}
+
+/// Commands of two letters with values behind commas; comments begin with an apostrophe.
+bool is_shopbot(std::string_view start) {
+  const std::string_view line = first_line(start, [](std::string_view one) {
+    return one[0] == '\'' || one.substr(0, 3) == "IF " || one.substr(0, 1) == "&";
+  });
+  const std::string_view word = line.substr(0, line.find_first_of(" \t'"));
+  return word == "SA" || word == "SR" ||
+         (line.size() > 3 && line[2] == ',' && (line[0] == 'M' || line[0] == 'J' || line[0] == 'C') &&
+          std::isalnum(static_cast<unsigned char>(line[1])) != 0);
+}
+
+bool is_plot(std::string_view start) {
+  return start.substr(0, 3) == "IN;" || start.substr(0, 3) == "PA;" || start.substr(0, 3) == "PU;";
+}
+
+/// APT and what CAM systems write before their posts.
+bool is_cutter_location(std::string_view start) {
+  const std::string_view head = start.substr(0, 4096);
+  return start.substr(0, 10) == "TOOL PATH/" || start.substr(0, 7) == "PARTNO/" ||
+         start.substr(0, 7) == "PARTNO " ||
+         (start.substr(0, 2) == "$$" && head.find("GOTO/") != std::string_view::npos);
+}
+
+/// A language that machines or posts understand and this reader does not.
+struct OtherLanguage {
+  bool (*is)(std::string_view start);  ///< the text without blanks in front; not empty
+  const char* what;
+  const char* instead;
+};
+constexpr OtherLanguage kOtherLanguages[] = {
+    {is_iso_of_heidenhain, "a program in Heidenhain's ISO language", "post it as Klartext (BEGIN PGM)"},
+    {is_okuma, "a program for Okuma's OSP", "post it for a control that --dialect names"},
+    {is_shopbot, "a program of ShopBot commands", "post it for a control that --dialect names"},
+    {is_plot, "a plot file (HPGL)", "give the drawing to `clearcut plan` as SVG or DXF"},
+    {is_cutter_location, "cutter location data (APT)", kGive}};
 
 /// A first line with nothing but the number of a group: no block of a program begins with a digit.
 bool is_dxf(std::string_view start) {
@@ -91,6 +152,11 @@ void refuse_what_is_no_program(std::string_view text, const std::string& file_na
   if (!part.empty())
     throw InputError(file_name, "this is " + std::string(part) +
                                     ", no program; give it as the part, and the program that is to make it");
+  for (const OtherLanguage& language : kOtherLanguages) {
+    if (language.is(start))
+      throw InputError(file_name,
+                       "this is " + std::string(language.what) + ", which is not read; " + language.instead);
+  }
   if (text.substr(0, 4096).find('\0') != std::string_view::npos)
     throw InputError(file_name, std::string("this is a binary file or UTF-16 text, no program; ") + kGive);
   if (!is_klartext(text) && !has_blocks(text))

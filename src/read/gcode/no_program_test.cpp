@@ -52,6 +52,25 @@ TEST(NoProgram, FilesOfOtherKindsAreNamed) {
   }
 }
 
+TEST(NoProgram, ProgramsInOtherLanguagesAreNamed) {
+  const std::vector<std::pair<std::string, const char*>> files{
+      {"%PLATE G71 *\nN10 G30 G17 X+0 Y+0 Z-10 *\nN20 T1 G17 S5000 *\n",
+       "this is a program in Heidenhain's ISO"},
+      {"N10 G71 *\r\nN20 G00 X+1 *\r\n", "this is a program in Heidenhain's ISO"},
+      {"$PLATE.MIN%\nO0001\nG15 H1\n", "this is a program for Okuma"},
+      {"'----\n'SHOPBOT ROUTER FILE IN MM\nIF %(25)=0 THEN GOTO UNIT_ERROR\nSA  \t'absolute\nJZ,20\n",
+       "this is a program of ShopBot"},
+      {"MS,25.4,12.7\nJ2,0,0\n", "this is a program of ShopBot"},
+      {"IN;SP1;PU10,10;PD20,10;\n", "this is a plot file"},
+      {"TOOL PATH/PLANAR_MILL,TOOL,MILL\nTLDATA/MILL,6\nGOTO/1,2,3\n", "this is cutter location data"},
+      {"$$ made by a CAM\nLOADTL/1\nGOTO/1,2,3\n", "this is cutter location data"}};
+  for (const auto& [text, what] : files) {
+    EXPECT_THAT(refusal_of(text), StartsWith("dropped: "s + what));
+    EXPECT_THAT(refusal_of(text), HasSubstr(", which is not read; ")) << text;
+  }
+  EXPECT_THAT(refusal_of("[Made by a CAM]\nG21\nM2\n"), StartsWith("dropped:1: unexpected '['"));
+}
+
 TEST(NoProgram, ProgramsOfEveryKindAreNone) {
   for (const char* text :
        {"G21\nM2\n", "%\nO0001 (A)\nG21\nM30\n%\n", ":0001\nG0 Z5\nM30\n", "/N10 g 0 z 5\nM2\n",

@@ -1,8 +1,10 @@
 #include "read/gcode/recognise.h"
 
 #include <algorithm>
+#include <cctype>
 
 #include "base/error.h"
+#include "read/common/text.h"
 #include "read/gcode/macros/macro_line.h"
 #include "read/gcode/words/block.h"
 
@@ -27,13 +29,43 @@ struct Traits {
   bool haas = false, fanuc = false, linuxcnc = false;
   bool tool = false;
   bool beyond_grbl = false;
-  bool arcs_stated = false;  ///< G91.1
-  bool old_units = false;    ///< G70 or G71 that is no turning cycle
-  bool turns_said = false;   ///< an S word beyond the powers of Marlin's
-  bool marlin = false;       ///< G4 S, M106, M107: printers' words
-  bool o_words = false;      ///< O words with letters behind, or named parameters
-  bool jumps = false;        ///< IF, GOTO, WHILE with DO; G65, M98, G68 and others that LinuxCNC has not
+  bool arcs_stated = false;    ///< G91.1
+  bool old_units = false;      ///< G70 or G71 that is no turning cycle
+  bool turns_said = false;     ///< an S word beyond the powers of Marlin's
+  bool marlin = false;         ///< G4 S, M106, M107: printers' words
+  bool o_words = false;        ///< O words with letters behind, or named parameters
+  bool jumps = false;          ///< IF, GOTO, WHILE with DO; G65, M98, G68 and others that LinuxCNC has not
+  bool scale_off = false;      ///< G50
+  bool reference = false;      ///< G30
+  std::vector<Dialect> named;  ///< controls that comments name, each once
 };
+
+/// What posts and people write in comments for the control that a program was made for.
+struct ControlWord {
+  std::string_view word;  ///< in capitals
+  Dialect dialect;
+};
+constexpr ControlWord kControlWords[] = {
+    {"GRBL", Dialect::kGrbl},     {"GRBLHAL", Dialect::kGrbl},      {"LINUXCNC", Dialect::kLinuxCnc},
+    {"EMC2", Dialect::kLinuxCnc}, {"MACH2", Dialect::kMach3},       {"MACH3", Dialect::kMach3},
+    {"MACH4", Dialect::kMach4},   {"PATHPILOT", Dialect::kTormach}, {"TORMACH", Dialect::kTormach},
+    {"HAAS", Dialect::kHaas},     {"FANUC", Dialect::kFanuc},       {"MAZAK", Dialect::kMazak},
+    {"MARLIN", Dialect::kMarlin}};
+
+/// Words end at everything but letters and digits: "Mach2/3" and "grbl_post.py" name their controls.
+void note_named_controls(std::string_view comment, std::vector<Dialect>& named) {
+  const auto in_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
+  for (std::size_t begin = 0; begin < comment.size();) {
+    std::size_t end = begin;
+    while (end < comment.size() && in_word(comment[end])) ++end;
+    const std::string word = capitals(comment.substr(begin, end - begin));
+    for (const ControlWord& row : kControlWords) {
+      if (row.word == word && std::find(named.begin(), named.end(), row.dialect) == named.end())
+        named.push_back(row.dialect);
+    }
+    begin = end + 1;
+  }
+}
 
 /// The S word of controls that say a power with it goes up to this.
 constexpr double kFullPower = 255;
@@ -53,6 +85,7 @@ void note_traits(const Block& block, std::string_view line, Traits& traits) {
   for (const std::string_view comment : block.comments) {
     const bool semicolon = comment.data() > line.data() && comment.data()[-1] == ';';
     (semicolon ? traits.semicolons : traits.parentheses) = true;
+    note_named_controls(comment, traits.named);
   }
   const auto missing = rules_of(Dialect::kLinuxCnc).g.missing;
   for (const int code : block.g) {
@@ -65,6 +98,8 @@ void note_traits(const Block& block, std::string_view line, Traits& traits) {
     traits.fanuc = traits.fanuc || code == 541 || code == 51;
     traits.linuxcnc = traits.linuxcnc || code == 281 || code == 301 || code == 923;
     traits.arcs_stated = traits.arcs_stated || code == 911;
+    traits.scale_off = traits.scale_off || code == 500;
+    traits.reference = traits.reference || code == 300;
     traits.old_units = traits.old_units || ((code == 700 || code == 710) && !is_turning_cycle(block));
     traits.jumps = traits.jumps || code == 650 || code == 680 || code == 511 || code == 160 || code == 310;
     traits.jumps = traits.jumps || std::find(missing.begin(), missing.end(), code) != missing.end();
@@ -110,18 +145,37 @@ bool is_grbl_or_marlin(const Traits& traits) {
   return traits.semicolons && !traits.parentheses && !traits.end && !traits.tool && !traits.beyond_grbl;
 }
 
+/// PathPilot has LinuxCNC's words and knows G50; its posts begin with G50 and G91.1 and go to G30 for a change of tools.
+bool is_pathpilot(const Traits& traits) {
+  return traits.scale_off &&
+         (traits.linuxcnc || traits.blend_bound || (traits.arcs_stated && traits.reference));
+}
+
+/// The one control that comments name; Grbl only where it knows all words.
+std::optional<Dialect> named_control(const Traits& traits) {
+  if (traits.named.size() != 1 || (traits.named[0] == Dialect::kGrbl && traits.beyond_grbl))
+    return std::nullopt;
+  return traits.named[0];
+}
+
 /// What a program uses, and whose program that makes it.
 struct Clue {
   bool (*is_there)(const Traits&);
   Recognised points_to;
 };
 
-/// The first clue that is there counts. Words of one control alone come first, habits of posts last.
-constexpr Clue kClues[] = {
-    {[](const Traits& of) { return of.haas || (of.tape && of.long_number); }, {Dialect::kHaas, false, {}}},
+/// The first clue that is there counts. Words of one control alone come first.
+constexpr Clue kWordsOfOne[] = {
+    {[](const Traits& of) { return of.haas; }, {Dialect::kHaas, false, {}}},
     {[](const Traits& of) { return of.o_words; }, {Dialect::kLinuxCnc, true, {}}},
-    {[](const Traits& of) { return of.fanuc || of.dwell_x || of.tape; }, {Dialect::kFanuc, false, {}}},
-    {[](const Traits& of) { return of.linuxcnc || of.blend_bound; }, {Dialect::kLinuxCnc, true, {}}},
+    {[](const Traits& of) { return of.fanuc || of.dwell_x; }, {Dialect::kFanuc, false, {}}},
+    {is_pathpilot, {Dialect::kTormach, true, {}}},
+    {[](const Traits& of) { return of.linuxcnc || of.blend_bound; }, {Dialect::kLinuxCnc, true, {}}}};
+
+/// Habits of posts, for programs whose comments name no control.
+constexpr Clue kHabits[] = {
+    {[](const Traits& of) { return of.tape && of.long_number; }, {Dialect::kHaas, false, {}}},
+    {[](const Traits& of) { return of.tape; }, {Dialect::kFanuc, false, {}}},
     {[](const Traits& of) { return of.old_units; }, {Dialect::kMach3, false, {}}},
     {[](const Traits& of) { return of.length_plain; }, {Dialect::kLinuxCnc, false, {}}},
     {[](const Traits& of) { return of.blend_plain && of.length_numbered; }, {Dialect::kMach3, false, {}}},
@@ -133,6 +187,13 @@ constexpr Clue kClues[] = {
     {[](const Traits& of) { return !of.beyond_grbl && of.last_m30 && of.arcs_stated && !of.blend_plain; },
      {Dialect::kGrbl, false, {}}},
     {[](const Traits&) { return true; }, {Dialect::kLinuxCnc, false, {}}}};
+
+template <std::size_t kCount>
+const Clue* first_of(const Clue (&clues)[kCount], const Traits& traits) {
+  const auto* const clue =
+      std::find_if(std::begin(clues), std::end(clues), [&](const Clue& one) { return one.is_there(traits); });
+  return clue != std::end(clues) ? clue : nullptr;
+}
 
 }  // namespace
 
@@ -154,9 +215,9 @@ Recognised recognised(std::string_view text, const std::string& file_name) {
   } catch (const InputError&) {
     // The reader itself says what is wrong, where it is not behind the end.
   }
-  const auto* const clue = std::find_if(std::begin(kClues), std::end(kClues),
-                                        [&](const Clue& one) { return one.is_there(traits); });
-  return clue->points_to;
+  if (const Clue* clue = first_of(kWordsOfOne, traits)) return clue->points_to;
+  if (const auto named = named_control(traits)) return {*named, true, {}};
+  return first_of(kHabits, traits)->points_to;
 }
 
 }  // namespace clearcut::read::gcode
