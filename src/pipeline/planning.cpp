@@ -251,6 +251,23 @@ std::string no_room_beside_edge(const Feature& feature, const Tool& tool) {
       tool.number, feature.name, trimmed(width, 3));
 }
 
+/// mm; the widest mill that leaves the stock which the step has to leave on walls.
+double widest_mill(const Part& part, const Workingstep& step, const Tolerances& tol) {
+  return features::largest_fitting_diameter(feature_of(part, step), tol) - 2 * step.operation.allowance_side;
+}
+
+std::string no_room(const Part& part, const Workingstep& step, const Tolerances& tol) {
+  const Tool& tool = tool_of(part, step);
+  const double left = step.operation.allowance_side, widest = widest_mill(part, step, tol);
+  const std::string stock = left > 0 ? fmt::format(" beside {} mm of stock to leave", trimmed(left, 4)) : "";
+  // Rounded down: a cutter of the size that is named has to fit.
+  const std::string largest =
+      widest > 0 ? "the largest that does has " + trimmed(std::floor(widest * 1000) / 1000, 3) + " mm"
+                 : "leave less";
+  return fmt::format("tool T{} ({} mm) does not fit {}{}; {}", tool.number, trimmed(tool.diameter, 4),
+                     feature_of(part, step).name, stock, largest);
+}
+
 std::string does_not_fit(const Part& part, const Workingstep& step, const Tolerances& tol) {
   const Tool& tool = tool_of(part, step);
   const Feature& feature = feature_of(part, step);
@@ -266,9 +283,7 @@ std::string does_not_fit(const Part& part, const Workingstep& step, const Tolera
         "tool T{0} ({1} {2} mm) makes no hole of {3} mm; give one that does, for example --tool drill:{3}",
         tool.number, name_of(tool.kind), trimmed(tool.diameter, 4), trimmed(2 * hole->radius, 4));
   }
-  return fmt::format("tool T{} ({} mm) does not fit {}; the largest that does has {} mm", tool.number,
-                     trimmed(tool.diameter, 4), feature.name,
-                     trimmed(features::largest_fitting_diameter(feature, tol), 3));
+  return no_room(part, step, tol);
 }
 
 /// Why there are no passes for a workingstep.
@@ -283,14 +298,15 @@ std::string no_passes(std::size_t i, const Selection& selection, const std::vect
         "cutter",
         name, fmt::join(selection.left_out(i), " and "), thousands(work_shares(works, plan)[i]));
   }
-  const bool fits =
-      tool_of(part, step).diameter <= features::largest_fitting_diameter(feature_of(part, step), plan.tol);
+  const bool fits = tool_of(part, step).diameter <= widest_mill(part, step, plan.tol);
   if (!fits || makes_holes(tool_of(part, step))) return does_not_fit(part, step, plan.tol);
-  return fmt::format("{} found no passes for {}; {}", selection.candidate(i).strategy->name, name,
+  const std::string_view strategy = selection.candidate(i).strategy->name;
+  return fmt::format("{} found no passes for {}; {}", strategy, name,
                      plan.steps[i].published_grid
                          ? "no point of the published grid lies where the cutter's centre may be; use a "
                            "smaller --stepover, or leave --grid out"
-                         : "use another --strategy, for example contour");
+                     : strategy == "contour" ? "use a smaller cutter"
+                                             : "use another --strategy, for example contour");
 }
 
 /// A request of a step unsupported by its strategy; "" if all are supported.

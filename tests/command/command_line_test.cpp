@@ -160,6 +160,22 @@ TEST(CommandLine, NothingThatFitsIsNoSuccess) {
   }
 }
 
+/// A cutter of the size that is named has to fit, beside the stock that is to stay on walls.
+TEST(CommandLine, TheLargestCutterThatFitsIsRoundedDownAndLeavesTheStock) {
+  const ScratchFolder folder;
+  const auto slot = folder.file("a.json", R"({"name": "slot", "units": "mm", "depth": 2, "outer": [[0, 0, 0],
+      [20, 0, 1], [20, 5.9999996, 0], [0, 5.9999996, 1]]})");
+  const auto refusal = [&](std::vector<std::string> more) {
+    std::vector<std::string> words{"plan", slot, "-o", folder.path("a.ngc"), "--tool", "endmill:6"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run_clearcut(words).err;
+  };
+  EXPECT_THAT(refusal({"--allowance", "0.2"}),
+              HasSubstr("tool T1 (6 mm) does not fit slot beside 0.2 mm of stock to leave; the largest that "
+                        "does has 5.599 mm"));
+  EXPECT_THAT(refusal({"--allowance", "3"}), HasSubstr("beside 3 mm of stock to leave; leave less"));
+}
+
 TEST(CommandLine, VersionMatchesTheBuild) {
   const auto result = run_clearcut({"--version"});
   EXPECT_EQ(result.exit_code, 0);

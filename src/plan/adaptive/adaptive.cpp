@@ -267,6 +267,11 @@ class AdaptivePlanner {
   /// air, so it is added only if no cut leads on without it.
   void clear_entry_region(const Disc& entry_region) {
     pictures_.after("cuts from wall to wall");
+    if (const auto stroke = finder_.stroke_in_passage(entry_region)) {
+      path_.open_along(*stroke);
+      clearing_.walls.update(remaining_, legal_.box());
+      return;
+    }
     path_.open(entry_region, entry_circle_, limit_, finder_.hole_at(entry_region.center));
     const Walls walls = clearing_.walls;
     const std::size_t spiral = remaining_.cuts();

@@ -73,6 +73,25 @@ TEST(Adaptive, RoundPocketsOfAnySizeHaveNoMoveWithoutHeading) {
   }
 }
 
+/// Where the centre has a few micrometres of room a helix would have thousands of turns: another entry is left to the linker.
+TEST(Adaptive, PassagesHardlyWiderThanTheCutterAreEnteredWithoutAHelix) {
+  for (const double room : {0.001, 0.01, 0.1}) {
+    const double half = kTool + room / 2;
+    Layer layer;
+    layer.z = -4;
+    layer.tool_radius = kTool;
+    layer.allowed = layer.target = {
+        Region::from_valid_loops({Edge::line({0, -half}, {20, -half}),
+                                  Edge::arc({20, -half}, {20, half}, {20, 0}, Turn::kCounterClockwise),
+                                  Edge::line({20, half}, {0, half}),
+                                  Edge::arc({0, half}, {0, -half}, {0, 0}, Turn::kCounterClockwise)},
+                                 {})};
+    const auto passes = plan_adaptive(layer, {}, {}).passes;
+    ASSERT_FALSE(passes.empty()) << room;
+    for (const Pass& pass : passes) EXPECT_FALSE(pass.entry_center) << room;
+  }
+}
+
 TEST(Adaptive, PathIsJoinedAndEveryEdgeHasItsKind) {
   const auto passes = plan_adaptive(square_layer(50), {}, {}).passes;
   ASSERT_EQ(passes.size(), 1u);

@@ -12,6 +12,10 @@ namespace {
 constexpr double kLeastEntryRegion = 0.15;
 /// Share of a disc's area that must be uncut for an entry of its own.
 constexpr double kFreshShare = 0.6;
+/// Shares of the tool radius: least radius of the circle of a helix; least and greatest length of the stroke that takes its place.
+constexpr double kLeastHelix = 0.05;
+constexpr double kLeastStroke = 0.2;
+constexpr double kLongestStroke = 4;
 
 bool is_fresh(const Disc& disc, const std::vector<Disc>& entry_regions) {
   constexpr int kRings = 6, kSpokes = 24;
@@ -88,6 +92,20 @@ double EntryRegionFinder::hole_at(Vec2 place) const {
   for (const PredrilledHole& hole : holes_)
     radius = std::max(radius, hole.diameter / 2 - distance(hole.center, place));
   return radius;
+}
+
+std::optional<Edge> EntryRegionFinder::stroke_in_passage(const Disc& entry_region) const {
+  const Vec2 from = entry_region.center;
+  if (entry_region.radius - radius_ >= kLeastHelix * radius_ || hole_at(from) > radius_) return std::nullopt;
+  std::optional<Edge> longest;
+  for (const AxisPoint& place : clearance_.axis().points) {
+    const double far = distance(from, place.point);
+    if (far < kLeastStroke * radius_ || place.clearance < reach_) continue;
+    const Edge stroke =
+        Edge::line(from, lerp(from, place.point, std::min(1.0, kLongestStroke * radius_ / far)));
+    if ((!longest || stroke.length() > longest->length()) && remaining_.is_legal(stroke)) longest = stroke;
+  }
+  return longest;
 }
 
 /// Whether the disc is worth an entry: clearing it by a spiral is shorter than by arcs, which have to return, by

@@ -27,6 +27,9 @@ class EntryRegionFinder {
   std::optional<Disc> widest_uncut() const;
   /// mm; radius of the widest disc about a place that lies in a predrilled hole; 0 if it lies in none.
   double hole_at(Vec2 place) const;
+  /// A straight cut from a place in a passage that has no room for the circle of a helix (which would have thousands of turns on one
+  /// spot): towards the farthest place on the passage's axis up to four tool radii away. Nothing where there is room, or no such place.
+  std::optional<Edge> stroke_in_passage(const Disc& entry_region) const;
 
  private:
   std::optional<Disc> first_entry_region() const;

@@ -50,6 +50,12 @@ void ClearingPath::open(const Disc& disc, double entry_radius, double engagement
   }
 }
 
+void ClearingPath::open_along(const Edge& stroke) {
+  finish_pass();
+  at_ = stroke.from;
+  cut({stroke}, {});
+}
+
 void ClearingPath::widen_to_rim(const Disc& disc, double engagement) {
   while (widen(disc, engagement, Turns::kAny)) {
   }

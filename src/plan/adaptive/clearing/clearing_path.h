@@ -37,6 +37,8 @@ class ClearingPath {
   /// each as far as `engagement` (radians) allows, while they stay inside the disc. `cleared`: mm, radius of
   /// a hole that exists about the centre; if the cutter has room in it, the pass begins there.
   void open(const Disc& disc, double entry_radius, double engagement, double cleared = 0);
+  /// Begins a pass with a straight cut, where there is no room for a circle.
+  void open_along(const Edge& stroke);
   /// To be called right after open(): goes on with thinner turns until all of the disc's rim is reached.
   void widen_to_rim(const Disc& disc, double engagement);
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/elementary.h"
+#include "base/units.h"
 #include "plan/adaptive/clearing/arcs.h"
 #include "plan/adaptive/clearing/parameters.h"
 
@@ -29,6 +30,8 @@ constexpr double kCusp = 2e-3;
 constexpr double kAim = 0.012;
 constexpr double kAbove = 0.02;
 constexpr int kMostArcs = 400;
+/// Radians. Walls that open by less, as beside a passage that the cutter just fits, leave no room to come nearer on kMostArcs arcs.
+constexpr double kSharpest = 0.03;
 /// Arcs and spirals are compared by the natural logarithm of (distance from the corner before / after). An arc is
 /// good enough if that is kGoodGain, or kArcShare of what a spiral would have.
 constexpr double kGoodGain = 0.7;
@@ -428,6 +431,7 @@ std::vector<WallPlace> places_of(const std::vector<Corner>& corners) {
 
 std::optional<CornerRound> round_corner(const Walls& walls, const Corner& corner, double from,
                                         RemainingStock& remaining, double limit, double residual) {
+  if (corner.turn > kPi - kSharpest) return std::nullopt;
   const std::size_t before = remaining.cuts();
   const Wall& wall = walls.wall(corner.place.wall);
   const double second = first_visited(wall, corner.place.s, 1, remaining)
