@@ -12,6 +12,7 @@ namespace {
 /// Radius of the centre's circle as a share of the tool radius; below 1, so that no post is left in the middle.
 constexpr double kWidestHelix = 0.9;
 constexpr double kNarrowestHelix = 0.2;
+constexpr double kMostTurns = 1000;       // greatest number of turns of a helix
 constexpr double kHelixShrink = 0.8;      // factor from one tried radius to the next
 constexpr double kLongestRamp = 4;        // share of the tool radius
 constexpr double kShortestRamp = 0.2;     // share of the tool radius
@@ -32,6 +33,12 @@ bool fits(const Circle& circle, const Regions& legal) {
   });
 }
 
+/// Radians that a helix turns to the depth at the entry angle; at least one turn, so that the whole depth is nowhere cut at once.
+double turned_by_helix(const EntryPlace& place, const Circle& circle, const LinkOptions& options) {
+  const double asked = (place.z_above - place.z) / (circle.radius * base::tan(options.entry_angle.radians()));
+  return std::max(2 * kPi, asked);
+}
+
 std::optional<Circle> helix_circle(const EntryPlace& place, const Regions& legal,
                                    const LinkOptions& options) {
   if (place.circle_center) return Circle{*place.circle_center, distance(*place.circle_center, place.start)};
@@ -39,6 +46,7 @@ std::optional<Circle> helix_circle(const EntryPlace& place, const Regions& legal
   const double narrowest = options.helix_narrowest.value_or(2 * kNarrowestHelix * options.tool_radius) / 2;
   for (double radius = widest; radius >= narrowest; radius *= kHelixShrink) {
     const Circle circle{place.start + left_of(place.direction) * radius, radius};
+    if (turned_by_helix(place, circle, options) > 2 * kPi * kMostTurns) return std::nullopt;
     if (fits(circle, legal)) return circle;
   }
   return std::nullopt;
@@ -67,11 +75,9 @@ void append_turns(const Circle& circle, Vec2 end, double turned, double z_from, 
   }
 }
 
-/// A helix with as many turns as the entry angle requires, at least one, so that the whole depth is nowhere cut at
-/// once. It ends at the start of the pass.
+/// A helix that ends at the start of the pass.
 std::vector<Move> helix(const EntryPlace& place, const Circle& circle, const LinkOptions& options) {
-  const double asked = (place.z_above - place.z) / (circle.radius * base::tan(options.entry_angle.radians()));
-  const double turned = std::max(2 * kPi, asked);
+  const double turned = turned_by_helix(place, circle, options);
   std::vector<Move> moves;
   append_turns(circle, place.start, turned, place.z_above, place.z, options, moves);
   if (!place.circle_center) append_turns(circle, place.start, 2 * kPi, place.z, place.z, options, moves);

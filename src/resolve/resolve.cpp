@@ -141,6 +141,31 @@ void resolve_entry(ResolvedStep& step, const Operation& operation, const Feature
   step.helix_narrowest = shop.helix_narrowest;
 }
 
+/// mm along the path, and turns of a helix, that an entry may take for one layer: thousands of turns are a slip of a digit, and
+/// the machine would grind on one spot for hours.
+constexpr double kLongestDescent = 10000;
+constexpr double kMostHelixTurns = 1000;
+
+/// An entry is stated by a part's file, a job or the user.
+void refuse_endless_entry(const ResolvedStep& step, const Feature& feature, const Tool& tool) {
+  if (!clears_floors(tool)) return;
+  const double descent = step.stepdown / base::tan(step.entry_angle.radians());
+  if (descent > kLongestDescent)
+    throw InputError(
+        feature.name,
+        fmt::format("an entry at {} degrees takes {} m for a layer of {} mm; use a larger --entry-angle",
+                    trimmed(step.entry_angle.degrees(), 6), trimmed(descent / 1000, 1),
+                    trimmed(step.stepdown, 4)));
+  if (!step.helix_widest) return;
+  const double turns = descent / (kPi * *step.helix_widest);
+  if (turns > kMostHelixTurns)
+    throw InputError(
+        feature.name,
+        fmt::format(
+            "an entry helix {} mm wide takes {} turns for a layer of {} mm; use a larger --helix-diameter",
+            trimmed(*step.helix_widest, 6), trimmed(std::ceil(turns), 0), trimmed(step.stepdown, 4)));
+}
+
 /// Fills unstated entry values of an operation; `sources`: sources of its values.
 void take_entry_of_style(Operation& operation, const Feature& feature, const Tool& tool,
                          const PlanOptions& options, Sources& sources) {
@@ -192,6 +217,7 @@ ResolvedStep resolve_step(const Part& part, const Workingstep& planned, const Pl
   resolve_entry(step, operation, feature_of(part, planned), tool_of(part, planned), options.shop);
   step.direction = operation.direction.value();
   step.stepdown = operation.stepdown.value();
+  refuse_endless_entry(step, feature_of(part, planned), tool_of(part, planned));
   step.allowance_side = operation.allowance_side;
   step.allowance_floor = operation.allowance_floor;
   step.lead = operation.lead.value_or(0);
