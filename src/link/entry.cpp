@@ -12,7 +12,6 @@ namespace {
 /// Radius of the centre's circle as a share of the tool radius; below 1, so that no post is left in the middle.
 constexpr double kWidestHelix = 0.9;
 constexpr double kNarrowestHelix = 0.2;
-constexpr double kMostTurns = 1000;       // greatest number of turns of a helix
 constexpr double kHelixShrink = 0.8;      // factor from one tried radius to the next
 constexpr double kLongestRamp = 4;        // share of the tool radius
 constexpr double kShortestRamp = 0.2;     // share of the tool radius
@@ -46,7 +45,7 @@ std::optional<Circle> helix_circle(const EntryPlace& place, const Regions& legal
   const double narrowest = options.helix_narrowest.value_or(2 * kNarrowestHelix * options.tool_radius) / 2;
   for (double radius = widest; radius >= narrowest; radius *= kHelixShrink) {
     const Circle circle{place.start + left_of(place.direction) * radius, radius};
-    if (turned_by_helix(place, circle, options) > 2 * kPi * kMostTurns) return std::nullopt;
+    if (turned_by_helix(place, circle, options) > 2 * kPi * kMostHelixTurns) return std::nullopt;
     if (fits(circle, legal)) return circle;
   }
   return std::nullopt;

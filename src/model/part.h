@@ -174,6 +174,8 @@ enum class OperationKind {
   kOther
 };
 enum class EntryKind { kHelix, kRamp, kZigzagRamp, kPlunge };
+/// Greatest number of turns of an entry's helix: more would grind on one spot for hours.
+inline constexpr double kMostHelixTurns = 1000;
 enum class CutDirection { kClimb, kConventional };
 
 /// How a tool descends in a hole and retracts, if not with one feed. Depths in mm from the hole's top and from its

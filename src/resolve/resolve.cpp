@@ -141,10 +141,8 @@ void resolve_entry(ResolvedStep& step, const Operation& operation, const Feature
   step.helix_narrowest = shop.helix_narrowest;
 }
 
-/// mm along the path, and turns of a helix, that an entry may take for one layer: thousands of turns are a slip of a digit, and
-/// the machine would grind on one spot for hours.
+/// mm along the path that an entry may take for one layer: more is a slip of a digit.
 constexpr double kLongestDescent = 10000;
-constexpr double kMostHelixTurns = 1000;
 
 /// An entry is stated by a part's file, a job or the user.
 void refuse_endless_entry(const ResolvedStep& step, const Feature& feature, const Tool& tool) {

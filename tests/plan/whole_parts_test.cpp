@@ -75,7 +75,7 @@ void expect_clean_parts(const resolve::PlanOptions& options, int count,
                         const std::function<void(Part&, Random&)>& changed = {}) {
   int cut = 0;
   for (int seed = 1; seed <= count; ++seed) {
-    Random random(static_cast<std::uint64_t>(seed) * 1000 + options.strategy->size());
+    Random random(static_cast<std::uint64_t>(seed) * 1000 + options.strategy.value_or("").size());
     Part part = part_of_pockets(random);
     if (part.workplan.empty()) continue;
     if (changed) changed(part, random);

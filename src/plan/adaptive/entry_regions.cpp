@@ -96,7 +96,8 @@ double EntryRegionFinder::hole_at(Vec2 place) const {
 
 std::optional<Edge> EntryRegionFinder::stroke_in_passage(const Disc& entry_region) const {
   const Vec2 from = entry_region.center;
-  if (entry_region.radius - radius_ >= kLeastHelix * radius_ || hole_at(from) > radius_) return std::nullopt;
+  if (entry_region.radius - radius_ >= kLeastHelix * radius_ || begins_in_hole(hole_at(from), radius_))
+    return std::nullopt;
   std::optional<Edge> longest;
   for (const AxisPoint& place : clearance_.axis().points) {
     const double far = distance(from, place.point);

@@ -2,6 +2,7 @@
 #include <cctype>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "read/common/foreign_files.h"
 #include "read/gcode/klartext/words.h"
 #include "read/gcode/recognise.h"
@@ -17,18 +18,16 @@ std::string_view trimmed_left(std::string_view text) {
   return text.substr(std::min(text.find_first_not_of(kBlank), text.size()));
 }
 
-std::string_view without_blanks(std::string_view text) {
-  text = trimmed_left(text);
-  while (!text.empty() && kBlank.find(text.back()) != std::string_view::npos) text.remove_suffix(1);
-  return text;
+std::string_view first_line(std::string_view text) {
+  return text.substr(0, text.find_first_of("\r\n"));
 }
 
 /// The first line that is no comment of the kind that `is_comment` knows, without blanks at both ends; "" where there is none.
 template <typename IsComment>
-std::string_view first_line(std::string_view text, IsComment is_comment) {
+std::string_view first_block(std::string_view text, IsComment is_comment) {
   Lines lines(text);
   for (std::string_view line; lines.next(line);) {
-    line = without_blanks(line);
+    line = stripped(line, kBlank);
     if (!line.empty() && !is_comment(line)) return line;
   }
   return {};
@@ -36,7 +35,7 @@ std::string_view first_line(std::string_view text, IsComment is_comment) {
 
 /// "[part]", after comments: no blank stands in the name, as in comments of some controls.
 bool is_job(std::string_view text) {
-  const std::string_view line = first_line(text, [](std::string_view one) {
+  const std::string_view line = first_block(text, [](std::string_view one) {
     return one.size() > 1 && one[0] == '#' && (one[1] == ' ' || one[1] == '#');
   });
   return line.substr(0, 1) == "[" && line.substr(0, line.find(']')).find(' ') == std::string_view::npos;
@@ -44,18 +43,18 @@ bool is_job(std::string_view text) {
 
 /// Blocks of Heidenhain's ISO language end with a star.
 bool is_iso_of_heidenhain(std::string_view start) {
-  const std::string_view line = first_line(start, [](std::string_view one) { return one[0] == ';'; });
+  const std::string_view line = first_block(start, [](std::string_view one) { return one[0] == ';'; });
   return line.size() > 1 && line.back() == '*' && (line[0] == '%' || line[0] == 'N' || line[0] == 'G');
 }
 
 /// "$PART.MIN%": the name of the file.
 bool is_okuma(std::string_view start) {
-  return start[0] == '$' && start.substr(0, start.find_first_of("\r\n")).find('%') != std::string_view::npos;
+  return start[0] == '$' && first_line(start).find('%') != std::string_view::npos;
 }
 
 /// Commands of two letters with values behind commas; comments begin with an apostrophe.
 bool is_shopbot(std::string_view start) {
-  const std::string_view line = first_line(start, [](std::string_view one) {
+  const std::string_view line = first_block(start, [](std::string_view one) {
     return one[0] == '\'' || one.substr(0, 3) == "IF " || one.substr(0, 1) == "&";
   });
   const std::string_view word = line.substr(0, line.find_first_of(" \t'"));
@@ -91,7 +90,7 @@ constexpr OtherLanguage kOtherLanguages[] = {
 
 /// A first line with nothing but the number of a group: no block of a program begins with a digit.
 bool is_dxf(std::string_view start) {
-  const std::string_view line = start.substr(0, start.find_first_of("\r\n"));
+  const std::string_view line = first_line(start);
   return line == "0" || line == "999" || start.substr(0, 18) == "AutoCAD Binary DXF";
 }
 

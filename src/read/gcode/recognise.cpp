@@ -164,7 +164,7 @@ struct Clue {
   Recognised points_to;
 };
 
-/// The first clue that is there counts. Words of one control alone come first.
+/// Words of one control alone. Of these clues, as of those below, the first that is there counts.
 constexpr Clue kWordsOfOne[] = {
     {[](const Traits& of) { return of.haas; }, {Dialect::kHaas, false, {}}},
     {[](const Traits& of) { return of.o_words; }, {Dialect::kLinuxCnc, true, {}}},

@@ -7,16 +7,11 @@
 #include <map>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "base/units.h"
 
 namespace clearcut::read {
 namespace {
-
-std::string_view without_blanks(std::string_view text) {
-  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front()))) text.remove_prefix(1);
-  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back()))) text.remove_suffix(1);
-  return text;
-}
 
 /// A value with its line.
 struct Said {
@@ -30,7 +25,7 @@ void for_lines(std::string_view text, Use use) {
   int number = 0;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
-    use(without_blanks(text.substr(0, end)), ++number);
+    use(stripped(text.substr(0, end)), ++number);
     text.remove_prefix(std::min(end + 1, text.size()));
   }
 }
@@ -46,7 +41,7 @@ class SettingTable {
 
   /// Adds a setting with the number at the beginning of `text`.
   void add(const std::string& name, std::string_view text, int line) {
-    text = without_blanks(text);
+    text = stripped(text);
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     const bool ends = end == text.data() + text.size() || !std::isalnum(static_cast<unsigned char>(*end));
@@ -99,7 +94,7 @@ bool is_digit(char c) {
 std::optional<std::pair<std::string, std::string_view>> grbl_setting(std::string_view line) {
   const std::size_t equals = line.find('=');
   if (line.size() < 3 || line[0] != '$' || equals == std::string_view::npos) return std::nullopt;
-  const std::string_view name = without_blanks(line.substr(0, equals));
+  const std::string_view name = stripped(line.substr(0, equals));
   if (name.size() < 2 || !std::all_of(name.begin() + 1, name.end(), is_digit)) return std::nullopt;
   return std::pair{std::string(name), line.substr(equals + 1)};
 }
@@ -181,8 +176,8 @@ std::optional<MachineSettings> read_linuxcnc(std::string_view text, const std::s
     }
     const std::size_t equals = line.find('=');
     if (equals == std::string_view::npos) return;
-    const std::string key(without_blanks(line.substr(0, equals)));
-    const std::string_view value = without_blanks(line.substr(equals + 1));
+    const std::string key(stripped(line.substr(0, equals)));
+    const std::string_view value = stripped(line.substr(equals + 1));
     if (section == "EMC" && key == "MACHINE") name = std::string(value);
     if (section == "TRAJ" && key == "LINEAR_UNITS")
       inch = value == "inch" || value == "in" || value == "imperial";
@@ -223,7 +218,7 @@ std::optional<MachineSettings> read_linuxcnc(std::string_view text, const std::s
 /// "echo:  M203 X500.00 Y500.00 Z5.00": the words of a line, each a letter and its number.
 void add_marlin_words(SettingTable& table, const std::string& code, std::string_view words, int line) {
   while (!words.empty()) {
-    words = without_blanks(words);
+    words = stripped(words);
     if (words.empty() || words[0] == ';') return;
     const std::size_t end = std::min(words.find_first_of(" \t;"), words.size());
     table.add(code + " " + words[0], words.substr(1, end - 1), line);
@@ -235,7 +230,7 @@ std::optional<MachineSettings> read_marlin(std::string_view text, const std::str
   SettingTable table(file);
   bool found = false;
   for_lines(text, [&](std::string_view line, int number) {
-    if (line.starts_with("echo:")) line = without_blanks(line.substr(5));
+    if (line.starts_with("echo:")) line = stripped(line.substr(5));
     if (line.starts_with("G20"))
       table.fail(number, "G20: the settings are in inches; send G21, then M503 again");
     for (const char* code : {"M201", "M203", "M204", "M205"}) {

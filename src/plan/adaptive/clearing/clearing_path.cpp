@@ -34,11 +34,15 @@ constexpr double kLeastWidening = 0.05;
 
 }  // namespace
 
+bool begins_in_hole(double cleared, double tool_radius) {
+  return cleared - tool_radius > kLeastHole * tool_radius;
+}
+
 void ClearingPath::open(const Disc& disc, double entry_radius, double engagement, double cleared) {
   finish_pass();
-  const double tool = remaining_.tool_radius(), within = cleared - tool;
-  const bool in_hole = within > kLeastHole * tool;
-  const double first = std::min({entry_radius, disc.radius - tool, in_hole ? within : entry_radius});
+  const double tool = remaining_.tool_radius();
+  const bool in_hole = begins_in_hole(cleared, tool);
+  const double first = std::min({entry_radius, disc.radius - tool, in_hole ? cleared - tool : entry_radius});
   at_ = disc.center + Vec2{first, 0};
   if (first <= kSamePlaceMm) return;
   spiral_ = {first, first};

@@ -27,6 +27,9 @@ struct Disc {
 /// cosines, with R for tool_radius: -R cos(engagement) + sqrt(cleared_radius^2 - R^2 sin(engagement)^2).
 double widened_circle(double cleared_radius, double tool_radius, double engagement);
 
+/// Whether a cutter of `tool_radius` has room to begin in a hole of radius `cleared`, mm.
+bool begins_in_hole(double cleared, double tool_radius);
+
 /// The finished passes and the one that is being built. Everything that is cut is removed from the remaining
 /// stock.
 class ClearingPath {
