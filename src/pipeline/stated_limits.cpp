@@ -12,9 +12,6 @@
 namespace clearcut::pipeline {
 namespace {
 
-/// Degrees. Excess over the limit in a figure that is no fault.
-constexpr double kFaultlessExcess = 2;
-
 /// Share by which a stated speed may exceed a limit of the machine: programs are rounded to whole rpm.
 constexpr double kLimitRounding = 1e-3;
 
@@ -25,10 +22,27 @@ std::string place_of_engagement(const resolve::PlanOptions& options) {
   return is_job ? source->text + ": engagement" : "--engagement";
 }
 
+/// Why the step exceeds the limit of engagement, and what to do.
+std::string why_over_engagement(const ResolvedPlan& plan, std::size_t index) {
+  const Workingstep& step = plan.part.workplan[index];
+  const Tool& tool = tool_of(plan.part, step);
+  const std::string alone = "plan it in a program of its own, without the limit";
+  if (tool.kind == ToolKind::kThreadMill) return ": a thread is milled to its full depth at once; " + alone;
+  if (feature_of(plan.part, step).profile)
+    return ": a cut along an outline has the full width of the cutter; " + alone;
+  const StrategyEntry* strategy = plan.steps[index].strategy;
+  if (strategy && !strategy->limits_engagement)
+    return fmt::format(": the strategy {} begins with cuts of full width; leave out --strategy, or use "
+                       "adaptive, which holds the limit",
+                       strategy->name);
+  return fmt::format(": T{} ({} mm) has no room there to hold it; take a narrower cutter, or {}", tool.number,
+                     trimmed(tool.diameter, 3), alone);
+}
+
 }  // namespace
 
 bool exceeds_engagement(const FeatureFindings& step, const ResolvedPlan& plan) {
-  return step.figures.engagement.max_deg > plan.engagement_deg.value_or(0) + kFaultlessExcess;
+  return step.figures.engagement.max_deg > plan.engagement_deg.value_or(0) + kFreeEngagementDeg;
 }
 
 void refuse_beyond_machine(const ResolvedPlan& plan) {
@@ -68,17 +82,7 @@ void refuse_exceeded_engagement(const PlanResult& result, const ResolvedPlan& pl
     const std::string what =
         fmt::format("{} would engage the cutter by {} degrees where {} are the limit", step.name,
                     trimmed(step.figures.engagement.max_deg, 1), trimmed(*plan.engagement_deg, 1));
-    if (feature_of(result.part, result.part.workplan[index]).profile)
-      throw InputError(place_of_engagement(options),
-                       what +
-                           ": a cut along an outline has the full width of the cutter; plan it in a "
-                           "program of its own, without the limit");
-    const StrategyEntry* strategy = plan.steps[index].strategy;
-    if (strategy && !strategy->limits_engagement)
-      throw InputError(place_of_engagement(options),
-                       fmt::format("{}: the strategy {} begins with cuts of full width; leave out "
-                                   "--strategy, or use adaptive, which holds the limit",
-                                   what, strategy->name));
+    throw InputError(place_of_engagement(options), what + why_over_engagement(plan, index));
   }
 }
 

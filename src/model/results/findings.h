@@ -97,6 +97,10 @@ struct Fault {
   std::string cause{};
 };
 
+/// Degrees by which the engagement may exceed its limit without a fault: arcs fitted to a path of constant engagement
+/// oscillate about it by more than one degree, and the distance of the samples may hide half a degree.
+inline constexpr double kFreeEngagementDeg = 2;
+
 /// Angle of the cutter's circle in material, over all feed moves at depth after the entry.
 struct Engagement {
   double max_deg = 0;

@@ -63,6 +63,15 @@ TEST(ExternalThreads, AreMilledAboutTheirBoss) {
   EXPECT_THAT(refusal(part, {"endmill:10"}), HasSubstr("give a thread mill"));
 }
 
+/// The boss keeps its width for the thread, also where stock is left on walls.
+TEST(ExternalThreads, PocketsWithStockOnTheirWallsKeepTheBoss) {
+  const Part part = drawn(box("STOCK_D12", -30, -30, 30, 30) + box("POCKET_D8", -15.5, -15.5, 15.5, 15.5) +
+                          circle("THREAD_M12_EXTERNAL_D4", {0, 0}, 6));
+  auto options = with({"endmill:4", "threadmill:6"});
+  options.shop.finish = "walls";
+  expect_clean(plan_part(part, options));
+}
+
 TEST(ExternalThreads, AreRefusedWhereTheMillHasNoPlace) {
   const std::vector<std::string> tools{"endmill:10", "threadmill:10"};
   EXPECT_THAT(refusal(drawn(boss("THREAD_M20_EXTERNAL_D12", 20, 13)), tools),

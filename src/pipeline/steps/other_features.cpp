@@ -26,6 +26,11 @@ constexpr double kGap = 0.001;
 /// mm. Shorter edges are remnants of unions of nearly coincident outlines.
 constexpr double kShortEdge = 0.0004;
 
+/// Whether no other cutter may enter the feature: undercuts, and bosses that get a thread.
+bool is_for_own_cutter(const Feature& feature) {
+  return feature.kind == FeatureKind::kTSlot || feature.kind == FeatureKind::kExternalThread;
+}
+
 bool runs_into(const Feature& other, const Regions& around, const Tolerances& tol) {
   return !are_apart(other.allowed, around, 2 * tol.chord) && !intersect(other.allowed, around, tol).empty() &&
          !subtract(other.allowed, around, tol).empty();
@@ -67,7 +72,7 @@ MeetingPockets::MeetingPockets(const Part& part, int workingstep, const Toleranc
   std::optional<Regions> around;  // made at the first use: most pockets do not overlap others
   for (int i = 0; i < static_cast<int>(part.workplan.size()); ++i) {
     const Feature* other = &feature_of(part, part.workplan[static_cast<std::size_t>(i)]);
-    if (other == &pocket || other->kind == FeatureKind::kTSlot || other->floor_z >= pocket.top_z ||
+    if (other == &pocket || is_for_own_cutter(*other) || other->floor_z >= pocket.top_z ||
         !box(other->allowed).overlaps(here))
       continue;
     if (std::find(met_.begin(), met_.end(), other) != met_.end()) continue;

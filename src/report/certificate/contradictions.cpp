@@ -16,8 +16,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kNoPart = " AS FAR AS CAN BE SAID WITHOUT A PART";
-/// Degrees by which the engagement may exceed its limit without a fault, and the rounding of digits.
-constexpr double kDegreesOver = 2.01;
 
 bool has_fault(const Json& certificate, std::initializer_list<FaultKind> kinds) {
   const Json& faults = field_at(certificate, "faults");
@@ -88,7 +86,7 @@ void check_limits(const Json& certificate, Sentences& out) {
   }
   const Json& asked = field_at(certificate, "question/limits/engagement_deg");
   if (asked.is_number() &&
-      number_at(certificate, "engagement/max_deg") > asked.get<double>() + kDegreesOver &&
+      number_at(certificate, "engagement/max_deg") > asked.get<double>() + kFreeEngagementDeg + kLastDigit &&
       !has_fault(certificate, {FaultKind::kOverEngagement}))
     out.push_back("/engagement/max_deg: is over the limit, and no fault says so");
 }

@@ -15,8 +15,6 @@ using Json = nlohmann::ordered_json;
 /// Degrees; width of a class of the histogram of engagement.
 constexpr double kClass = 10;
 constexpr std::size_t kClasses = 18;
-/// Degrees by which places may exceed the limit of engagement without counting as over it.
-constexpr double kFreeDegrees = 2;
 /// Degrees. Smaller changes of direction are no turns.
 constexpr double kLeastTurn = 0.1;
 /// Share of a time that rounding of feeds may take from it.
@@ -195,7 +193,7 @@ void check_over_limit(const FiguresAt& figures, const Classes& classes, const Ba
   const double over = figures[kPath], rounding = rounding_of(classes.mm.size());
   const double most = basis.engagement_limit_deg ? classes.above(*basis.engagement_limit_deg, false) : 0;
   const double least =
-      basis.engagement_limit_deg ? classes.above(*basis.engagement_limit_deg + kFreeDegrees, true) : 0;
+      basis.engagement_limit_deg ? classes.above(*basis.engagement_limit_deg + kFreeEngagementDeg, true) : 0;
   if (over > most + rounding || over < least - rounding)
     out.push_back(figures.name(kPath) + ": is not what the histogram has above the limit");
 }

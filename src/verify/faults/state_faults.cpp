@@ -19,9 +19,6 @@ namespace {
 constexpr double kSpeedRounding = 1e-3;
 /// mm, for heights rounded by the coarsest controller (0.0001 inch).
 constexpr double kHeightSlack = 5.5e-3;
-/// Degrees by which the engagement may exceed its limit: arcs fitted to a path of constant engagement oscillate about
-/// it by more than one degree, and the distance of the samples may hide half a degree.
-constexpr double kDegreeSlack = 2;
 
 Place end_of(const CheckedMove& checked) {
   return {checked.move->path.to, checked.move->z_to, checked.move->line};
@@ -182,7 +179,7 @@ class StateCheck {
 
   std::optional<Fault> engagement(const CheckedMove& checked) const {
     const auto limit = options_.engagement_limit_deg;
-    if (!limit || checked.load.max_deg <= *limit + kDegreeSlack) return std::nullopt;
+    if (!limit || checked.load.max_deg <= *limit + kFreeEngagementDeg) return std::nullopt;
     Fault found =
         fault_of(part_, FaultKind::kOverEngagement, checked, checked.load.max_at, checked.load.over_limit_mm,
                  "The cutter is engaged by " + trimmed(checked.load.max_deg, 1) + " degrees where " +
