@@ -32,9 +32,10 @@ std::string why_over_engagement(const ResolvedPlan& plan, std::size_t index) {
     return ": a cut along an outline has the full width of the cutter; " + alone;
   const StrategyEntry* strategy = plan.steps[index].strategy;
   if (strategy && !strategy->limits_engagement)
-    return fmt::format(": the strategy {} begins with cuts of full width; leave out --strategy, or use "
-                       "adaptive, which holds the limit",
-                       strategy->name);
+    return fmt::format(
+        ": the strategy {} begins with cuts of full width; leave out --strategy, or use "
+        "adaptive, which holds the limit",
+        strategy->name);
   return fmt::format(": T{} ({} mm) has no room there to hold it; take a narrower cutter, or {}", tool.number,
                      trimmed(tool.diameter, 3), alone);
 }

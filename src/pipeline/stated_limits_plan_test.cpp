@@ -49,13 +49,15 @@ TEST(StatedLimits, AProfileIsCutAtFullWidthAndRefusedUnderALimit) {
 /// Whatever the strategy: a slot as wide as the cutter, and a thread, which is milled to its full depth at once.
 TEST(StatedLimits, PlacesWithoutRoomToHoldTheEngagementAreRefused) {
   for (const char* strategy : {"auto", "adaptive"}) {
-    EXPECT_THAT(refused(drawn(box("POCKET_D2", 0, 0, 6, 18)), under_limit("endmill:6", strategy, 90)),
-                HasSubstr("POCKET_D2 would engage the cutter by 180 degrees where 90 are the limit: T1 (6 mm) has no "
-                          "room there to hold it; take a narrower cutter"));
+    EXPECT_THAT(
+        refused(drawn(box("POCKET_D2", 0, 0, 6, 18)), under_limit("endmill:6", strategy, 90)),
+        HasSubstr("POCKET_D2 would engage the cutter by 180 degrees where 90 are the limit: T1 (6 mm) has no "
+                  "room there to hold it; take a narrower cutter"));
   }
   resolve::PlanOptions options = with({"endmill:6", "threadmill:10"});
   options.engagement_deg = 60;
-  EXPECT_THAT(refused(drawn(circle("THREAD_M16_D6", {0, 0}, 8)), options), HasSubstr("a thread is milled to its full"));
+  EXPECT_THAT(refused(drawn(circle("THREAD_M16_D6", {0, 0}, 8)), options),
+              HasSubstr("a thread is milled to its full"));
 }
 
 /// Faces of which the cutter may leave the stock on all sides; rounded corners meet their edges with the whole radius.

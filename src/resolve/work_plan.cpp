@@ -388,6 +388,10 @@ void add_finishing_steps(Part& part, const PlanOptions& options, StepSources& so
   }
   part.workplan.insert(part.workplan.end(), floors.begin(), floors.end());
   part.workplan.insert(part.workplan.end(), walls.begin(), walls.end());
+  // A thread about a boss is milled where the boss has its finished width.
+  std::stable_partition(part.workplan.begin(), part.workplan.end(), [&](const Workingstep& step) {
+    return feature_of(part, step).kind != FeatureKind::kExternalThread;
+  });
 }
 
 }  // namespace clearcut::resolve
