@@ -138,6 +138,7 @@ void add_part(const Part& one, const read::PlanPlacement& place, int number, Par
     sheet.workplan.push_back(std::move(step));
   }
   for (const PredrilledHole& hole : copy.predrilled) sheet.predrilled.push_back(hole);
+  for (Region& region : copy.left_out) sheet.left_out.push_back(std::move(region));
   if (!copy.stock) return;
   if (!sheet.stock) sheet.stock = Stock{{}, copy.stock->z_bottom, copy.stock->z_top};
   sheet.stock->plan.add(copy.stock->plan);
@@ -149,6 +150,7 @@ Part sheet_of(const std::vector<const Part*>& kinds, const Places& places) {
   sheet.features.clear();
   sheet.workplan.clear();
   sheet.predrilled.clear();
+  sheet.left_out.clear();
   sheet.stock.reset();
   for (std::size_t k = 0; k < places.size(); ++k)
     add_part(*kinds[places[k].kind], places[k].at, static_cast<int>(k), sheet);

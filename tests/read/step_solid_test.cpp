@@ -164,6 +164,19 @@ TEST(StepSolid, WhatIsLeftOutIsAnOpenCondition) {
   for (const Diagnostic& item : whole.diagnostics.items()) EXPECT_NE(item.condition, "left-out") << item.what;
 }
 
+/// The picture hatches the cone in its place, with the zero where it is asked, and nothing on a whole part.
+TEST(StepSolid, WhatIsLeftOutIsHatchedInThePicture) {
+  SKIP_WITHOUT_OPEN_CASCADE();
+  const Part part = read::with_zero_at(read::read_part(example("awkward.step"), {}), {10, 20, 0});
+  EXPECT_TRUE(contains(part.left_out, Vec2{60.5 - 10, 15 - 20}));
+  EXPECT_FALSE(contains(part.left_out, Vec2{2 - 10, 2 - 20}));
+  EXPECT_THAT(pipeline::write_picture(pipeline::plan_part(part, with_tool(5))),
+              AllOf(HasSubstr("class=\"left-out\""), HasSubstr("the part has a face here that is left out")));
+  const Part whole = read::read_part(example("nested.step"), {});
+  EXPECT_TRUE(whole.left_out.empty());
+  EXPECT_THAT(pipeline::write_picture(pipeline::plan_part(whole, with_tool(5))), Not(HasSubstr("left-out")));
+}
+
 /// Another set-up of the job makes what looks another way; what no set-up makes stays a condition.
 TEST(StepSolid, OtherSetUpsMakeWhatLooksAnotherWay) {
   SKIP_WITHOUT_OPEN_CASCADE();

@@ -40,6 +40,15 @@ class Mover {
     }
   }
   void move(PredrilledHole& hole) const { hole.center = in_plan_.placed(hole.center); }
+  void move(Regions& regions) const {
+    for (Region& region : regions) {
+      Loop outer = region.outer();
+      std::vector<Loop> islands = region.islands();
+      move(outer);
+      for (Loop& island : islands) move(island);
+      region = Region::from_valid_loops(std::move(outer), std::move(islands));
+    }
+  }
   double up() const { return up_; }
 
  private:
@@ -48,15 +57,6 @@ class Mover {
       edge.from = in_plan_.placed(edge.from);
       edge.to = in_plan_.placed(edge.to);
       if (edge.is_arc()) edge.center = in_plan_.placed(edge.center);
-    }
-  }
-  void move(Regions& regions) const {
-    for (Region& region : regions) {
-      Loop outer = region.outer();
-      std::vector<Loop> islands = region.islands();
-      move(outer);
-      for (Loop& island : islands) move(island);
-      region = Region::from_valid_loops(std::move(outer), std::move(islands));
     }
   }
   void move(ProfileCut& profile) const {
@@ -118,6 +118,7 @@ Part moved_by(const Mover& mover, Part part) {
   if (part.stock) mover.move(part.stock->plan, part.stock->z_bottom, part.stock->z_top);
   for (KeepOut& clamp : part.keep_outs) mover.move(clamp.plan, clamp.bottom_z, clamp.top_z);
   for (PredrilledHole& hole : part.predrilled) mover.move(hole);
+  mover.move(part.left_out);
   for (Workingstep& step : part.workplan) {
     if (step.operation.retract_z) *step.operation.retract_z += mover.up();
     if (step.stated_path) mover.move(*step.stated_path);

@@ -203,6 +203,7 @@ class Finder {
   void doubt(const std::string& what);
   void report_hidden_floors();
   void report_left_out();
+  void add_shadows(const std::set<int>& faces);
   std::string kinds_of(const std::set<int>& faces) const;
   void report_set_ups();
   void propose_side(const std::array<std::vector<int>, 5>& floors);
@@ -601,7 +602,15 @@ void Finder::report_hidden_floors() {
                                            " lies under an overhang: left out");
     hidden.insert(cells[i].face + 1);
   }
+  add_shadows(hidden);
   if (!hidden.empty() && !has_other_setups_) doubt(subject(hidden) + " under an overhang and left out");
+}
+
+/// Adds the plan view of these faces, as far as they look up, to the part's faces that are left out.
+void Finder::add_shadows(const std::set<int>& faces) {
+  for (const Cell& cell : map_.cells()) {
+    if (faces.count(cell.face + 1)) part_.left_out = unite(part_.left_out, cell.area, tol_);
+  }
 }
 
 /// " (cylinder, sphere)": the surfaces of faces; "" if all are planes.
@@ -630,6 +639,7 @@ void Finder::report_left_out() {
           described(face) + " is neither a flat floor nor a vertical wall: left out, its material stays");
   }
   if (left_out.empty()) return;
+  add_shadows(left_out);
   std::string tools;
   for (const std::string& one : proposals_) tools += "; " + one;
   doubt(subject(left_out) + " neither flat and level nor upright" + kinds_of(left_out) +

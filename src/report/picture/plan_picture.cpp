@@ -103,6 +103,18 @@ void fill_regions(SvgWriter& svg, const Regions& regions, const std::string& col
     svg.leaf("path", {{"d", path_of(regions)}, {"fill", color}, {"fill-rule", "evenodd"}});
 }
 
+/// The part's faces that no feature makes, hatched over what is drawn below.
+void hatch_left_out(SvgWriter& svg, const PlanView& view, const Regions& left_out) {
+  if (left_out.empty()) return;
+  const std::string fill = hatch(svg, report::palette::kLeftOut, view.mm(kHatchStep), view.mm(kHatchWidth));
+  svg.leaf("path", {{"class", "left-out"},
+                    {"d", path_of(left_out)},
+                    {"fill", fill},
+                    {"fill-rule", "evenodd"},
+                    {"stroke", report::palette::kLeftOut},
+                    {"stroke-width", svg_number(view.mm(0.7))}});
+}
+
 void outline_regions(SvgWriter& svg, const PlanView& view, const Regions& regions, double width) {
   if (regions.empty()) return;
   svg.leaf("path", {{"d", path_of(regions)},
@@ -347,6 +359,7 @@ void draw_overview(SvgWriter& svg, const PlanView& view, const Job& job,
   open_clipped(svg, seen.text());
   if (!job.part.is_shape_stated) draw_cut_away(svg, view, job);
   for (const int feature : shallow_first(job.part)) draw_floor(svg, view, job, feature);
+  hatch_left_out(svg, view, job.part.left_out);
   svg.close();
   close_world(svg, view);
   std::vector<Badge> wanted;
@@ -372,6 +385,7 @@ void draw_feature(SvgWriter& svg, const PlanView& view, const Job& job, int feat
   draw_coverage(svg, view, job, feature, std::isfinite(z) ? z : f.floor_z);
   outline_regions(svg, view, f.target, 1.4);
   draw_feature_lines(svg, view, job, feature);
+  hatch_left_out(svg, view, job.part.left_out);
   close_world(svg, view);
   draw_worst_places(svg, view, findings_of(job.part, job.findings, feature));
   if (job.margin) draw_margin(svg, view, *job.margin, &f);

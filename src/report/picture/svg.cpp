@@ -129,17 +129,20 @@ void draw_tiles(SvgWriter& svg, const std::vector<Tile>& tiles) {
 }
 
 struct LegendRow {
-  enum class Kind { kLine, kDashed, kArea, kDot } kind;
+  enum class Kind { kLine, kDashed, kArea, kHatched, kDot } kind;
   std::string color, words;
 };
 
 void draw_legend_row(SvgWriter& svg, Vec2 at, const LegendRow& row) {
-  if (row.kind == LegendRow::Kind::kArea) {
+  if (row.kind == LegendRow::Kind::kArea || row.kind == LegendRow::Kind::kHatched) {
+    const bool is_hatched = row.kind == LegendRow::Kind::kHatched;
+    const std::string fill =
+        is_hatched ? hatch(svg, row.color, kHatchStep, kHatchWidth) : row.color;
     svg.leaf("rect", {{"x", svg_number(at.x)},
                       {"y", svg_number(at.y - 11)},
                       {"width", "34"},
                       {"height", "14"},
-                      {"fill", row.color},
+                      {"fill", fill},
                       {"stroke", report::palette::kRule}});
   } else if (row.kind == LegendRow::Kind::kDot) {
     svg.leaf("circle",
@@ -193,6 +196,8 @@ std::vector<LegendRow> legend_rows(const Job& job) {
     rows.push_back({Kind::kArea, report::palette::kWall, "drafted wall"});
   }
   rows.push_back({Kind::kArea, report::palette::kMaterial, "material that stays"});
+  if (!part.left_out.empty())
+    rows.push_back({Kind::kHatched, report::palette::kLeftOut, "the part has a face here that is left out"});
   return rows;
 }
 

@@ -208,6 +208,19 @@ std::string SvgWriter::new_id(std::string_view stem) {
   return std::string(stem) + std::to_string(++ids_);
 }
 
+std::string hatch(SvgWriter& svg, const std::string& color, double step, double width) {
+  const std::string id = svg.new_id("hatch");
+  svg.open("pattern", {{"id", id},
+                       {"width", svg_number(step)},
+                       {"height", svg_number(step)},
+                       {"patternUnits", "userSpaceOnUse"},
+                       {"patternTransform", "rotate(45)"}});
+  svg.leaf("path",
+           {{"d", "M0 0V" + svg_number(step)}, {"stroke", color}, {"stroke-width", svg_number(width)}});
+  svg.close();
+  return "url(#" + id + ")";
+}
+
 std::string svg_path(const Loop& loop) {
   PathData data;
   data.add(loop);

@@ -19,6 +19,7 @@ inline constexpr const char* kWall = "#c4ccd4";         // drafted walls
 inline constexpr const char* kFloor = "#dcebf7";        // target swept by the cutter
 inline constexpr const char* kUncut = "#e02b3c";        // target within the cutter's reach but not swept
 inline constexpr const char* kUnreachable = "#f5b53d";  // target out of reach
+inline constexpr const char* kLeftOut = "#8a5a00";      // hatch of the part's faces that no feature makes
 inline constexpr const char* kGouge = "#c2139b";        // swept, and not allowed
 inline constexpr const char* kImpact = "#4a90d0";       // swept outside the target, in the permitted area
 inline constexpr const char* kCut = "#0b57a8";
@@ -93,6 +94,12 @@ class SvgWriter {
   std::vector<std::string> open_;
   int ids_ = 0;
 };
+
+/// Page units: lines that show faces that are left out.
+inline constexpr double kHatchStep = 7, kHatchWidth = 2.4;
+
+/// Defines slanting lines, `step` apart, `width` wide, both in units of the element they are for; returns the fill.
+std::string hatch(SvgWriter& svg, const std::string& color, double step, double width);
 
 /// "M0 0L40 0A5 5 0 0 1 45 5Z": mm in the frame of the curve (y up), lines and true arcs of less than half a turn
 /// each.
