@@ -126,11 +126,29 @@ read::Facing facing_of(const BRepAdaptor_Surface& surface, const TopoDS_Face& fa
   return down ? read::Facing::kDown : read::Facing::kUpright;
 }
 
-std::optional<read::WallFront> front_of(const gp_Vec& normal, const Box& plan) {
+/// The middle of the longest edge at the face's lowest height; of its box if it has none there.
+Vec2 middle_of_foot(const TopoDS_Face& face, const read::SolidFace& described) {
+  Vec2 middle = described.plan.center();
+  double longest = 0;
+  for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next()) {
+    const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
+    if (BRep_Tool::Degenerated(edge)) continue;
+    const BRepAdaptor_Curve curve(edge);
+    const gp_Pnt from = curve.Value(curve.FirstParameter()), to = curve.Value(curve.LastParameter());
+    const double across = base::hypot(to.X() - from.X(), to.Y() - from.Y());
+    if (std::max(from.Z(), to.Z()) > described.z_low + kBoxSlack || across <= longest) continue;
+    longest = across;
+    middle = {(from.X() + to.X()) / 2, (from.Y() + to.Y()) / 2};
+  }
+  return middle;
+}
+
+std::optional<read::WallFront> front_of(const TopoDS_Face& face, const gp_Vec& normal,
+                                        const read::SolidFace& described) {
   if (std::abs(normal.Z()) > kSquare) return std::nullopt;
   if (std::abs(normal.X()) > kSquare && std::abs(normal.Y()) > kSquare) return std::nullopt;
   const Vec2 outward_plan{std::round(normal.X()), std::round(normal.Y())};
-  return read::WallFront{outward_plan, plan.center() + outward_plan * 0.01};
+  return read::WallFront{outward_plan, middle_of_foot(face, described) + outward_plan * 0.01};
 }
 
 void take_nearest(double& value, double candidate) {
@@ -229,7 +247,7 @@ read::SolidFace face_of(const TopoDS_Face& face, int number) {
     const gp_Vec normal = outward(surface, face, 0, 0);
     out.level = std::abs(normal.Z()) > 1 - kSquare * kSquare;
     if (out.level) out.z_low = out.z_high = surface.Plane().Location().Z();
-    out.front = front_of(normal, out.plan);
+    out.front = front_of(face, normal, out);
   }
   if (out.facing == read::Facing::kMixed) out.outline = shadow_of(face);
   if (out.facing != read::Facing::kUp) return out;

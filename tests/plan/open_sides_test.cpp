@@ -7,7 +7,9 @@
 #include "geometry/contours/boolean.h"
 #include "geometry/voronoi/clearance.h"
 #include "pipeline/run.h"
+#include "read/job/read_part.h"
 #include "stock/material.h"
+#include "support/plans.h"
 #include "support/random/random_parts.h"
 
 namespace clearcut {
@@ -112,6 +114,31 @@ Entries entries_of(const pipeline::PlanResult& result) {
     }
   }
   return entries;
+}
+
+/// An open pocket of 40 x 20 mm in a block of its size, with this permitted area.
+std::string pocket_in_block(const std::string& outer, const std::string& allowed) {
+  return R"({"units": "mm", "stock": {"x": [0, 40], "y": [0, 20], "z": [-10, 0]}, "pockets": [{"name": "p",
+    "kind": "open_pocket", "top": 0, "depth": 2, "outer": )" +
+         outer + R"(, "allowed": [)" + allowed + "]}]}";
+}
+
+/// Beside the block nothing stands, whatever permitted area is stated: plan and verdict take it so.
+TEST(BesideTheBlock, NothingStandsWhateverIsPermitted) {
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"[[0, 0], [40, 0], [40, 20], [0, 20]]",
+       R"({"outer": [[0, -1000], [1040, -1000], [1040, 20], [0, 20]]})"},
+      {"[[0, 0], [9, 0], [7, 3], [16, 4], [17, 0], [40, 0], [40, 20], [0, 20]]",
+       R"({"outer": [[0, -1000], [1040, -1000], [1040, 1020], [0, 1020]],
+           "islands": [[[9, 0], [7, 3], [16, 4], [17, 0], [19, -8], [11, -8]]]})"}};
+  for (const auto& [outer, allowed] : cases) {
+    for (const char* strategy : {"contour", "zigzag", "spiral", "adaptive"}) {
+      const Part part = read::read_part_text(pocket_in_block(outer, allowed), "block.json", {});
+      resolve::PlanOptions options = test_support::with_tool(6);
+      options.strategy = strategy;
+      EXPECT_TRUE(pipeline::plan_part(part, options).findings.all.clean) << allowed << strategy;
+    }
+  }
 }
 
 TEST(Slivers, BetweenAPartAndItsStockAreNoWallsWhereTheyEnd) {

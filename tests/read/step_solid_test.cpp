@@ -13,8 +13,10 @@
 #include "base/random.h"
 #include "base/units.h"
 #include "pipeline/run.h"
+#include "pipeline/texts.h"
 #include "post/part/part_writers.h"
 #include "read/common/curve_fit.h"
+#include "read/common/moved_part.h"
 #include "read/job/read_part.h"
 #include "read/step_solid/floor_sweep.h"
 #include "read/step_solid/height_map.h"
@@ -171,10 +173,10 @@ TEST(StepSolid, WhatIsLeftOutIsHatchedInThePicture) {
   EXPECT_TRUE(contains(part.left_out, Vec2{60.5 - 10, 15 - 20}));
   EXPECT_FALSE(contains(part.left_out, Vec2{2 - 10, 2 - 20}));
   EXPECT_THAT(pipeline::write_picture(pipeline::plan_part(part, with_tool(5))),
-              AllOf(HasSubstr("class=\"left-out\""), HasSubstr("the part has a face here that is left out")));
+              ::testing::AllOf(HasSubstr("class=\"left-out\""), HasSubstr("the part has a face here that is left out")));
   const Part whole = read::read_part(example("nested.step"), {});
   EXPECT_TRUE(whole.left_out.empty());
-  EXPECT_THAT(pipeline::write_picture(pipeline::plan_part(whole, with_tool(5))), Not(HasSubstr("left-out")));
+  EXPECT_THAT(pipeline::write_picture(pipeline::plan_part(whole, with_tool(5))), ::testing::Not(HasSubstr("left-out")));
 }
 
 /// Another set-up of the job makes what looks another way; what no set-up makes stays a condition.

@@ -53,6 +53,26 @@ TEST(SteppedSolids, FloorsThinnerThanTolerancesAreNoFaults) {
   }
 }
 
+/// A wall whose foot lies at two heights is reached from above at each of them.
+TEST(SteppedSolids, AWallWithAFootAtTwoHeightsIsMadeFromAbove) {
+  SKIP_WITHOUT_OPEN_CASCADE();
+  const Part part = read::read_part_text(test_support::stepped_foot_text(), "foot.step", {});
+  EXPECT_EQ(part.features.size(), 2U);
+  for (const Diagnostic& item : part.diagnostics.items()) EXPECT_EQ(item.condition, "") << item.what;
+}
+
+/// A hollow smaller than any cutter is not called hidden.
+TEST(SteppedSolids, AFloorTooSmallToBeCutIsCalledSmall) {
+  SKIP_WITHOUT_OPEN_CASCADE();
+  const Part part = read::read_part_text(
+      step_text({{0, 5, 15, 20, 20.09, 30}, {0, 5, 5.09, 15, 20}, {{10, 10, 10, 10, 10}, {10, 10, 10, 7, 10}, {10, 6, 10, 10, 10}, {10, 10, 10, 10, 10}}, 0}),
+      "speck.step", {});
+  std::string doubts;
+  for (const Diagnostic& item : part.diagnostics.items())
+    if (!item.condition.empty()) doubts += item.what + "\n";
+  EXPECT_THAT(doubts, HasSubstr("smaller than 0.01 mm2 and left out"));
+}
+
 /// Without a floor, too, a cone at hand breaks the edges.
 TEST(SteppedSolids, BrokenEdgesAloneAreMilledByACone) {
   SKIP_WITHOUT_OPEN_CASCADE();

@@ -165,6 +165,21 @@ std::string step_text(const SteppedSolid& solid) {
   return Blocks(solid).text();
 }
 
+std::string stepped_foot_text() {
+  Writer writer;
+  writer.add_face({{0, 20, 0}, {30, 20, 0}, {30, 0, 0}, {0, 0, 0}});
+  writer.add_face({{0, 0, 10}, {10, 0, 10}, {10, 20, 10}, {0, 20, 10}});
+  writer.add_face({{10, 0, 2}, {30, 0, 2}, {30, 7, 2}, {10, 7, 2}});
+  writer.add_face({{10, 7, 6}, {30, 7, 6}, {30, 20, 6}, {10, 20, 6}});
+  writer.add_face({{10, 7, 2}, {30, 7, 2}, {30, 7, 6}, {10, 7, 6}});
+  writer.add_face({{10, 0, 2}, {10, 7, 2}, {10, 7, 6}, {10, 20, 6}, {10, 20, 10}, {10, 0, 10}});
+  writer.add_face({{0, 0, 0}, {30, 0, 0}, {30, 0, 2}, {10, 0, 2}, {10, 0, 10}, {0, 0, 10}});
+  writer.add_face({{30, 0, 0}, {30, 20, 0}, {30, 20, 6}, {30, 7, 6}, {30, 7, 2}, {30, 0, 2}});
+  writer.add_face({{30, 20, 0}, {0, 20, 0}, {0, 20, 10}, {10, 20, 10}, {10, 20, 6}, {30, 20, 6}});
+  writer.add_face({{0, 20, 0}, {0, 0, 0}, {0, 0, 10}, {0, 20, 10}});
+  return writer.text();
+}
+
 std::string broken_block_text(double width, double depth, double height, double chamfer) {
   const auto corners = [&](double in, double z) {
     return Polygon{{in, in, z}, {width - in, in, z}, {width - in, depth - in, z}, {in, depth - in, z}};

@@ -19,4 +19,7 @@ std::string step_text(const SteppedSolid& solid);
 /// A block from the origin with its four upper edges broken by `chamfer` mm at 45 degrees.
 std::string broken_block_text(double width, double depth, double height, double chamfer);
 
+/// A block of 30 x 20 x 10 mm with two steps at its right, z 2 and z 6: the wall at x 10 is one face, whose foot is at both heights.
+std::string stepped_foot_text();
+
 }  // namespace clearcut::test_support

@@ -296,12 +296,6 @@ bool reaches_edge(const Feature& feature, const Box& stock, const Tolerances& to
   return reach.overlaps(stock) && !(inner.contains(reach.min) && inner.contains(reach.max));
 }
 
-/// The target is inside `allowed`, so equal areas make them the same.
-bool is_walled(const Feature& feature) {
-  const double whole = area(feature.allowed);
-  return whole - area(feature.target) <= 1e-9 * whole;
-}
-
 }  // namespace
 
 void open_at_stock_edge(Part& part, const Tolerances& tol) {
@@ -309,9 +303,12 @@ void open_at_stock_edge(Part& part, const Tolerances& tol) {
   const Box& plan = part.stock->plan;
   const Region stock = rectangular_region(plan);
   const Region beside = frame_around(plan, kOpenReach);
+  const auto is_open_already = [&](const Feature& feature) {
+    return subtract({frame_around(plan, kOpenReach / 2)}, feature.allowed, tol).empty();
+  };
   for (Feature& feature : part.features) {
-    const bool is_area = !feature.profile && !feature.chamfer && !feature.hole_diameter && is_walled(feature);
-    if (!is_area || !reaches_edge(feature, plan, tol)) continue;
+    const bool is_area = !feature.profile && !feature.chamfer && !feature.hole_diameter;
+    if (!is_area || !reaches_edge(feature, plan, tol) || is_open_already(feature)) continue;
     feature.allowed = unite(feature.allowed, {beside}, tol);
     feature.target = intersect(feature.target, {stock}, tol);
     if (feature.kind == FeatureKind::kClosedPocket) feature.kind = FeatureKind::kOpenPocket;

@@ -57,9 +57,9 @@ void let_steps_stand(std::vector<ShapedGroup>& groups, const ReadOptions& option
 void set_stock(Part& part, const std::vector<ShapedGroup>& groups, const std::vector<Feature>& features,
                const ReadOptions& options);
 
-/// Lets the cutter of every feature of a drawing or outline that reaches part.stock's edge, without another stated
-/// permitted area, run out over this edge: there is no wall. Areas beside the stock are no target. Does nothing
-/// without a stock. Cost: one boolean for each feature that reaches the edge.
+/// Lets the cutter of every feature of a drawing or outline that reaches part.stock's edge run out over this edge,
+/// whatever permitted area is stated: there is no wall where nothing stands. Areas beside the stock are no target. Does
+/// nothing without a stock. Cost: two booleans for each feature that reaches the edge.
 void open_at_stock_edge(Part& part, const Tolerances& tol);
 
 }  // namespace clearcut::read

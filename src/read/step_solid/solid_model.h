@@ -19,10 +19,10 @@ enum class Facing {
   kMixed     ///< some normals point up, others down
 };
 
-/// The middle of a vertical plane facing along X or Y.
+/// The middle of the foot of a vertical plane facing along X or Y.
 struct WallFront {
   Vec2 outward;  ///< unit
-  Vec2 before;   ///< a point 0.01 mm before the wall's middle
+  Vec2 before;   ///< a point 0.01 mm before the middle of the wall's foot
 };
 
 struct SolidFace {

@@ -594,15 +594,20 @@ void Finder::propose_taps() {
 
 void Finder::report_hidden_floors() {
   const auto& cells = map_.cells();
-  std::set<int> hidden;
+  std::set<int> hidden, small;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (!cells[i].floor || cells[i].z > solid_.z_top - kSameHeight || reached_.count(static_cast<int>(i)))
       continue;
-    part_.diagnostics.skip(file_name_, described(solid_.faces[static_cast<std::size_t>(cells[i].face)]) +
-                                           " lies under an overhang: left out");
-    hidden.insert(cells[i].face + 1);
+    const bool is_small = area(cells[i].area) < kSpeck;
+    part_.diagnostics.skip(file_name_,
+                           described(solid_.faces[static_cast<std::size_t>(cells[i].face)]) +
+                               (is_small ? " is smaller than " + trimmed(kSpeck, 3) + " mm2: left out"
+                                         : " lies under an overhang: left out"));
+    (is_small ? small : hidden).insert(cells[i].face + 1);
   }
   add_shadows(hidden);
+  add_shadows(small);
+  if (!small.empty()) doubt(subject(small) + " smaller than " + trimmed(kSpeck, 3) + " mm2 and left out");
   if (!hidden.empty() && !has_other_setups_) doubt(subject(hidden) + " under an overhang and left out");
 }
 
