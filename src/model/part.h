@@ -268,7 +268,8 @@ struct Part {
   bool order_free = false;                 ///< steps with disjoint features may be cut in any order
   std::vector<PredrilledHole> predrilled;  ///< predrilled holes, as deep as any feature around them
   std::vector<KeepOut> keep_outs = {};
-  Regions left_out = {};  ///< plan view of the part's faces that no feature makes: the material over them stays
+  Regions left_out =
+      {};  ///< plan view of the part's faces that no feature makes: the material over them stays
   Diagnostics diagnostics;
   /// Options that were found to have no effect on this part while it was prepared, with the reason.
   std::map<std::string, std::string> idle = {};

@@ -173,10 +173,12 @@ TEST(StepSolid, WhatIsLeftOutIsHatchedInThePicture) {
   EXPECT_TRUE(contains(part.left_out, Vec2{60.5 - 10, 15 - 20}));
   EXPECT_FALSE(contains(part.left_out, Vec2{2 - 10, 2 - 20}));
   EXPECT_THAT(pipeline::write_picture(pipeline::plan_part(part, with_tool(5))),
-              ::testing::AllOf(HasSubstr("class=\"left-out\""), HasSubstr("the part has a face here that is left out")));
+              ::testing::AllOf(HasSubstr("class=\"left-out\""),
+                               HasSubstr("the part has a face here that is left out")));
   const Part whole = read::read_part(example("nested.step"), {});
   EXPECT_TRUE(whole.left_out.empty());
-  EXPECT_THAT(pipeline::write_picture(pipeline::plan_part(whole, with_tool(5))), ::testing::Not(HasSubstr("left-out")));
+  EXPECT_THAT(pipeline::write_picture(pipeline::plan_part(whole, with_tool(5))),
+              ::testing::Not(HasSubstr("left-out")));
 }
 
 /// Another set-up of the job makes what looks another way; what no set-up makes stays a condition.

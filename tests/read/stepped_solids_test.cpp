@@ -65,7 +65,10 @@ TEST(SteppedSolids, AWallWithAFootAtTwoHeightsIsMadeFromAbove) {
 TEST(SteppedSolids, AFloorTooSmallToBeCutIsCalledSmall) {
   SKIP_WITHOUT_OPEN_CASCADE();
   const Part part = read::read_part_text(
-      step_text({{0, 5, 15, 20, 20.09, 30}, {0, 5, 5.09, 15, 20}, {{10, 10, 10, 10, 10}, {10, 10, 10, 7, 10}, {10, 6, 10, 10, 10}, {10, 10, 10, 10, 10}}, 0}),
+      step_text({{0, 5, 15, 20, 20.09, 30},
+                 {0, 5, 5.09, 15, 20},
+                 {{10, 10, 10, 10, 10}, {10, 10, 10, 7, 10}, {10, 6, 10, 10, 10}, {10, 10, 10, 10, 10}},
+                 0}),
       "speck.step", {});
   std::string doubts;
   for (const Diagnostic& item : part.diagnostics.items())

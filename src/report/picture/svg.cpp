@@ -136,8 +136,7 @@ struct LegendRow {
 void draw_legend_row(SvgWriter& svg, Vec2 at, const LegendRow& row) {
   if (row.kind == LegendRow::Kind::kArea || row.kind == LegendRow::Kind::kHatched) {
     const bool is_hatched = row.kind == LegendRow::Kind::kHatched;
-    const std::string fill =
-        is_hatched ? hatch(svg, row.color, kHatchStep, kHatchWidth) : row.color;
+    const std::string fill = is_hatched ? hatch(svg, row.color, kHatchStep, kHatchWidth) : row.color;
     svg.leaf("rect", {{"x", svg_number(at.x)},
                       {"y", svg_number(at.y - 11)},
                       {"width", "34"},
