@@ -304,6 +304,10 @@ std::unique_ptr<EngagementModel> exact_engagement(EngagementTask task) {
   return std::make_unique<ExactEngagement>(std::move(task));
 }
 
+double engagement_target(std::optional<double> engagement_deg) {
+  return engagement_deg ? *engagement_deg / 180 : 0.5;
+}
+
 double engagement_cost(double deviation) {
   return deviation <= 0 ? -deviation : base::expm1(5 * deviation);
 }

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -52,15 +53,18 @@ class EngagementModel {
   std::vector<std::size_t> marks_;  ///< before the plunge, then before each move
 };
 
+/// mm; side of a pixel of the raster model by Tour eq. 4.21. `accuracy`: of the circle.
+double raster_pixel(double radius, double accuracy);
 /// Tour eq. 4.21: pixels sized so that one of them is `accuracy` of the circle; Bresenham's circle is moved
 /// along Bresenham's lines over a ternary map. Departure: the leading half of the circle is counted, not the
 /// whole, so that a slot is 100 %.
-/// mm; side of a pixel of the raster model by eq. 4.21. `accuracy`: of the circle.
-double raster_pixel(double radius, double accuracy);
 std::unique_ptr<EngagementModel> raster_engagement(EngagementTask task, double accuracy = 0.02);
 
 /// The exact contact of stock/, at steps of an eighth of the radius.
 std::unique_ptr<EngagementModel> exact_engagement(EngagementTask task);
+
+/// Target of the load: the share of the leading half circle that the requested angle is, else half of it.
+double engagement_target(std::optional<double> engagement_deg);
 
 /// Cost of a move with a mean engagement differing by `deviation` from the target: |deviation| below it,
 /// exp(5 deviation) - 1 above (Tour eq. 4.22 is lost in print; its words: deviation, punished exponentially

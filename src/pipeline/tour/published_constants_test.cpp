@@ -1,9 +1,11 @@
 // Constants of the texts as numbers, so that a change of 1 % in one of them shows; scripts/mutants.sh makes such changes.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numeric>
 
+#include "base/error.h"
 #include "kinematics/kinematics.h"
 #include "order/genetic/genetic.h"
 #include "order/lattice.h"
@@ -11,11 +13,13 @@
 #include "pipeline/compare.h"
 #include "pipeline/tool_sets.h"
 #include "pipeline/tour/engagement_model.h"
+#include "pipeline/tour/tour.h"
 #include "pipeline/tour/tour_solver.h"
 #include "plan/common/layers.h"
 #include "plan/contour/contour.h"
 #include "plan/grid/interpolate.h"
 #include "plan/grid/shape.h"
+#include "plan/grid/visit.h"
 #include "plan/tour/tour.h"
 
 namespace clearcut::pipeline {
@@ -55,6 +59,59 @@ TEST(PublishedConstants, CostOfEngagement) {
   EXPECT_NEAR(engagement_cost(-0.3), 0.3, 1e-12);
   EXPECT_NEAR(engagement_cost(0.2), std::exp(1.0) - 1, 1e-12);
   EXPECT_NEAR(inverse_engagement_cost(-0.04), 0.5, 1e-12);
+}
+
+/// Angles are of the leading half circle. The load of the one move between two points follows from its cost at a target of 100 %.
+TEST(PublishedConstants, TargetOfEngagement) {
+  EXPECT_EQ(engagement_target(std::nullopt), 0.5);
+  EXPECT_NEAR(engagement_target(45), 0.25, 1e-12);
+  order::Problem row = order::lattice_problem(2, 1);
+  row.shape = order::Shape::kOpenPath;
+  TourOptions options;
+  options.objective = "engagement-exact";
+  options.diameter = 0.5;
+  options.engagement_percent = 100;
+  const double load = 1 - solve_tour(row, options).solution.objective;
+  EXPECT_GT(load, 0.8);
+  options.engagement_percent = 60;
+  EXPECT_NEAR(solve_tour(row, options).solution.objective, engagement_cost(load - 0.6), 1e-9);
+}
+
+/// The cutter of points without one is two pitches wide: their median, 2 mm, of 24 at 1 mm and 26 at 2 mm from the next.
+TEST(PublishedConstants, CutterOfPointsIsTwoPitchesWide) {
+  order::Problem pairs;
+  for (int pair = 0; pair < 25; ++pair) {
+    pairs.points.push_back({100.0 * pair, 0});
+    pairs.points.push_back({100.0 * pair + (pair < 12 ? 1 : 2), 0});
+  }
+  pairs.shape = order::Shape::kOpenPath;
+  TourOptions options;
+  options.objective = "engagement";
+  try {
+    solve_tour(pairs, options);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(),
+                ::testing::HasSubstr("4 mm is too small for points that reach over 2406 mm; engagement "
+                                     "needs a cutter of at least 6.015 mm here"));
+  }
+}
+
+/// Grbl's rule as docs/tour.md states it, by hand: at 1200 mm/min, 200 mm/s^2 and 0.01 mm a corner of 90 degrees is passed at
+/// sqrt(200 * 0.01 * s / (1 - s)), s = sin 45, 2.1974 mm/s, and costs (20 - 2.1974)^2 / (200 * 20) s.
+TEST(PublishedConstants, TimeOfAMachineInACorner) {
+  order::Problem corner;
+  corner.points = {{0, 0}, {50, 0}, {50, 50}, {0, 0}};
+  corner.shape = order::Shape::kOpenPath;
+  Machine machine;
+  machine.acceleration = 200;
+  machine.junction_deviation = 0.01;
+  const auto time = machine_time_objective(machine, MmPerMin::of(1200));
+  const order::Moves moves(corner);
+  EXPECT_NEAR(time->edge(moves, 0, 1), 2.5, 1e-12);
+  EXPECT_NEAR(time->corner(moves, 0, 1, 2), 0.07923, 1e-5);
+  const double s = std::sin(kPi / 8), junction = std::sqrt(2 * s / (1 - s));  // back by 135 degrees
+  EXPECT_NEAR(time->corner(moves, 1, 2, 3), (20 - junction) * (20 - junction) / 4000, 1e-12);
 }
 
 /// Tour eq. 4.21: pixel = accuracy sqrt(2) pi r.
@@ -101,6 +158,19 @@ TEST(PublishedConstants, Interpolators) {
   EXPECT_EQ(plan::grid::circle_step(5, 1), 0.001);
 }
 
+/// Beside x = -r a step dx changes y by sqrt(2 r dx), a third of a square at most; x runs from -r to r.
+TEST(PublishedConstants, StepsOfTheCircle) {
+  EXPECT_NEAR(plan::grid::circle_step(50, 0.3), 1e-4, 1e-12);
+  EXPECT_EQ(plan::grid::circle_at_origin(1, 0.25).size(), 18u);
+}
+
+TEST(PublishedConstants, LongArcsEndWhereTheySay) {
+  const Edge arc = Edge::arc({5, 0}, {0, -5}, {0, 0}, Turn::kCounterClockwise);
+  const auto points = plan::grid::interpolate_arc(arc, 1);
+  ASSERT_GT(points.size(), 2u);
+  EXPECT_LT(distance(points[points.size() - 2], arc.to), 0.1);
+}
+
 DesignElement element_of(ElementKind kind, Vec2 from, Vec2 to) {
   DesignElement element;
   element.kind = kind;
@@ -138,6 +208,69 @@ TEST(PublishedConstants, HolesAndSlotsAreAsWideAsTheySay) {
   hole.width = slot.width = 14;
   EXPECT_NEAR(plan::grid::shape_of(hole, 3).area(), kPi * 49, 1e-9);
   EXPECT_NEAR(plan::grid::shape_of(slot, 3).area(), kPi * 49 + 30 * 14, 1e-9);
+}
+
+/// 81 whole points lie within 5 of one of them.
+TEST(PublishedConstants, HolesAndSlotsActivateAllSquaresWithinHalfTheirWidth) {
+  const SquareGrid grid{{0, 0}, 1, 100, 100};
+  DesignElement hole = element_of(ElementKind::kHole, {30, 30}, {30, 30});
+  DesignElement slot = element_of(ElementKind::kSlot, {10, 20}, {40, 20});
+  hole.width = slot.width = 10;
+  EXPECT_EQ(plan::grid::interpolate(hole, grid).size(), 81u);
+  EXPECT_EQ(plan::grid::interpolate(slot, grid).size(), 81u + 30 * 11);
+}
+
+ElementJob job_of(const DesignElement& element, double diameter) {
+  ElementJob job;
+  job.stock = {Box{{0, 0}, {60, 60}}, -10, 0};
+  Tool tool;
+  tool.number = element.tool;
+  tool.diameter = diameter;
+  job.tools = {tool};
+  job.elements = {element};
+  job.elements.front().depth = 1;
+  return job;
+}
+
+std::string faults_in(const ElementJob& job) {
+  std::string texts;
+  for (const auto& fault : plan::grid::faults_of(job)) texts += fault.text + "\n";
+  return texts;
+}
+
+/// The centre reaches to a tool's radius from the wall, and visits the rim of where it may be.
+TEST(PublishedConstants, TheCentreVisitsTheRimOfItsRoomInAHole) {
+  DesignElement hole = element_of(ElementKind::kHole, {30, 30}, {30, 30});
+  hole.width = 14;
+  double farthest = 0;
+  for (const auto& point : plan::grid::tabulate(job_of(hole, 6)).points) {
+    if (point.reduced) farthest = std::max(farthest, distance(point.at, hole.from));
+  }
+  EXPECT_NEAR(farthest, 4, 1e-9);
+}
+
+/// A hole hardly wider than its tool has all squares; one as wide as the tool has its axis.
+TEST(PublishedConstants, HolesAsWideAsTheToolAreTheirAxis) {
+  DesignElement hole = element_of(ElementKind::kHole, {30, 30}, {30, 30});
+  hole.width = 10.05;
+  EXPECT_EQ(plan::grid::tabulate(job_of(hole, 10)).points.size(), 81u);
+  hole.width = 10;
+  EXPECT_EQ(plan::grid::tabulate(job_of(hole, 10)).points.size(), 1u);
+}
+
+TEST(PublishedConstants, ArcsReachOverTheirChord) {
+  DesignElement arc = element_of(ElementKind::kArc, {10, 30}, {50, 30});
+  arc.radius = 19.9;
+  EXPECT_THAT(faults_in(job_of(arc, 6)), ::testing::HasSubstr("chord of 40 mm: at least 20 mm is needed"));
+  arc.radius = 20;
+  EXPECT_EQ(faults_in(job_of(arc, 6)), "");
+}
+
+TEST(PublishedConstants, ToolsAreSmallerThanHalfARectangle) {
+  DesignElement pocket = element_of(ElementKind::kRectangle, {10, 10}, {10, 10});
+  pocket.length = pocket.width = 20;
+  EXPECT_EQ(faults_in(job_of(pocket, 19.9)), "");
+  EXPECT_THAT(faults_in(job_of(pocket, 20)), ::testing::HasSubstr("too large for half the side of 20 mm"));
 }
 
 Layer square_layer(double side, double radius) {

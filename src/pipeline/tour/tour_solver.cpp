@@ -73,14 +73,12 @@ struct Search {
   Machine machine;
   MmPerMin feed;
   std::stop_token cancel;
-
-  /// Share of the leading half circle; from the requested angle, else half.
-  double engagement_target() const { return engagement_deg ? *engagement_deg / 180 : 0.5; }
 };
 
 order::ObjectivePtr layer_objective(ObjectiveKind kind, const plan::tour::TourTask& task,
                                     const Search& search) {
   const EngagementTask engagement{task.points, task.path, task.layer->target, task.layer->tool_radius};
+  const double target = engagement_target(search.engagement_deg);
   switch (kind) {
     case ObjectiveKind::kLength:
       return order::length_objective();
@@ -91,12 +89,12 @@ order::ObjectivePtr layer_objective(ObjectiveKind kind, const plan::tour::TourTa
     case ObjectiveKind::kTime:
       return machine_time_objective(search.machine, search.feed);
     case ObjectiveKind::kEngagement:
-      return engagement_objective(search.engagement_target(), [=] { return raster_engagement(engagement); });
+      return engagement_objective(target, [=] { return raster_engagement(engagement); });
     case ObjectiveKind::kEngagementInverse:
       return engagement_objective(
-          search.engagement_target(), [=] { return raster_engagement(engagement); }, inverse_engagement_cost);
+          target, [=] { return raster_engagement(engagement); }, inverse_engagement_cost);
     case ObjectiveKind::kEngagementExact:
-      return engagement_objective(search.engagement_target(), [=] { return exact_engagement(engagement); });
+      return engagement_objective(target, [=] { return exact_engagement(engagement); });
     case ObjectiveKind::kForce:
     case ObjectiveKind::kEnergy:
     case ObjectiveKind::kWear:
