@@ -1,19 +1,18 @@
 #!/usr/bin/env python3
-"""instance_table.py TOUR_BENCHMARK DATA: makes the table of reference instances in docs/tour.md from what the benchmark prints.
+"""instance_table.py PRINTED: makes the table of reference instances in docs/tour.md from what the benchmark printed.
 
-DATA is the folder of the TSPLIB files. Takes some four minutes of a core; the seconds are those of the processor, of all threads.
+PRINTED is a file: `tour_benchmark DATA "" 0 60 1 > PRINTED` with the folder of the TSPLIB files, 60 seconds by the clock and one thread
+takes some six minutes of a core. The seconds of the table are those of the processor.
 """
 import pathlib
-import subprocess
 import sys
 
 BEGIN, END = "<!-- instances: made by scripts/docs/instance_table.py -->", "<!-- end of instances -->"
 PAGE = pathlib.Path(__file__).resolve().parents[2] / "docs" / "tour.md"
 
 
-def runs_of(benchmark, data):
+def runs_of(printed):
     """Instance -> runs as the benchmark prints them, in its order."""
-    printed = subprocess.run([benchmark, data], check=True, capture_output=True, text=True).stdout
     runs = {}
     for line in printed.splitlines()[1:]:
         words = line.split()
@@ -26,15 +25,17 @@ def row_of(name, runs):
     def worst(column):
         return max(float(run[column]) for run in runs)
 
-    least, most = min(float(run[8]) for run in runs), worst(8)
-    to_best = f"{most:.2f}" if f"{least:.2f}" == f"{most:.2f}" else f"{least:.2f} to {most:.2f}"
+    def spread(column):
+        least, most = f"{min(float(run[column]) for run in runs):.2f}", f"{worst(column):.2f}"
+        return most if least == most else f"{least} to {most}"
+
     at_best = sum(float(run[5]) == 0 for run in runs)
     over = f"{worst(5):.4f} %" if at_best < len(runs) else "0"
-    return f"| {name} | {at_best} of {len(runs)} | {worst(3):.0f} | {over} | {to_best} | {worst(10):.2f} | {worst(11):.0f} MB |"
+    return f"| {name} | {at_best} of {len(runs)} | {worst(3):.0f} | {over} | {spread(8)} | {spread(10)} | {worst(11):.0f} MB |"
 
 
 def main():
-    rows = [row_of(name, runs) for name, runs in runs_of(sys.argv[1], sys.argv[2]).items()]
+    rows = [row_of(name, runs) for name, runs in runs_of(pathlib.Path(sys.argv[1]).read_text()).items()]
     heading = ("| instance | seeds at the best known | length | over it | CPU s to it | CPU s in all | memory |\n"
                "|---|---|---|---|---|---|---|\n")
     text = PAGE.read_text()

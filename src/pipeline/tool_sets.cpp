@@ -124,7 +124,7 @@ struct Sequence {
   double time_s = 0;
 };
 
-/// Share of a cutter's radius squared for the error of the estimated area of unreachable corners.
+/// Share of a cutter's radius squared for the error of the estimated area of unreachable corners. Our own estimate, not of a text.
 constexpr double kCornerError = 0.01;
 
 /// Whether a cutter leaves no more than the smallest one.

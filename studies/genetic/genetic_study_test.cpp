@@ -237,6 +237,20 @@ TEST(GeneticStudy, SensitivityChangesOneFactorAtATime) {
   }
 }
 
+/// Section 3.9: halved and doubled. Studies of operators cross a fifth of the children and draw first paths from two near points.
+TEST(GeneticStudy, SensitivityHalvesAndDoubles) {
+  std::map<std::string, order::GeneticOptions> of;
+  for (const StudyLevel& level : genetic_study("sensitivity", small()).levels) of[level.name] = level.genetic;
+  EXPECT_EQ(of["nothing"].breadth, 2);
+  EXPECT_DOUBLE_EQ(of["nothing"].crossover_rate, 0.2);
+  EXPECT_DOUBLE_EQ(of["crossover rate / 2"].crossover_rate, 0.1);
+  EXPECT_DOUBLE_EQ(of["crossover rate * 2"].crossover_rate, 0.4);
+  EXPECT_DOUBLE_EQ(of["mutation rate / 2"].mutation_rate, 0.5);
+  EXPECT_DOUBLE_EQ(of["shared edges / 2"].most_shared, 0.1);
+  EXPECT_EQ(of["population * 2"].population, 50);
+  EXPECT_EQ(of["neighbours / 2"].neighbours, 12);
+}
+
 TEST(GeneticStudy, RefusesWhatItDoesNotKnow) {
   EXPECT_THROW(genetic_study("luck", {}), InputError);
   GeneticStudyOptions options;

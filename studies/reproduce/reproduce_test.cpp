@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "studies/fishhead.h"
 #include "studies/reproduce/page/reproduction_page.h"
 #include "studies/reproduce/reproduce_parts.h"
 
@@ -207,6 +208,35 @@ TEST(PublishedFishhead, MeanOfThreeSeedsAndItsInterval) {
   const auto [mean, interval] = mean_of_seeds({1, 2, 3});
   EXPECT_NEAR(mean, 2, 1e-12);
   EXPECT_NEAR(interval, 2.4843, 1e-4);
+}
+
+/// Runs of the whole table that are kept, so that none is made: every quantity of the whole part is `share` times the printed feed.
+std::string kept_runs_of_fishhead(double share) {
+  std::string lines;
+  TableWatch writing;
+  writing.append = [&](const std::string& line) { lines += line; };
+  TableRuns runs(writing, 8);
+  const std::size_t figures = 8 * (fishhead(false, {}).workplan.size() + 1);
+  for (const auto& [travel, feed] : {std::pair("bidirectional", 25282.0), std::pair("spiral", 24103.0)}) {
+    for (const char* by : {"ours, seed 1", "published, seed 1", "published, seed 2", "published, seed 3"})
+      runs.run(
+          std::string(travel) + ", " + by, [&] { return RunFigures(figures, share * feed); },
+          [](const RunFigures&) { return std::string(); });
+  }
+  return lines;
+}
+
+/// A quarter of the printed figure is explained by another grid and other layers, more is not.
+TEST(PublishedFishhead, ExplainsUpToAQuarter) {
+  for (const auto& [share, explained] : {std::pair(1.2495, 2), std::pair(1.2505, 0)}) {
+    TableWatch watch;
+    watch.kept = kept_runs_of_fishhead(share);
+    int feeds = 0;
+    for (const Compared& cell : published_fishhead_table(watch).compared)
+      feeds +=
+          (cell.printed == "25282" || cell.printed == "24103") && cell.agreement == Agreement::kExplained;
+    EXPECT_EQ(feeds, explained) << share;
+  }
 }
 
 /// docs/texts.md: name of a table -> what its last column says.

@@ -1,4 +1,5 @@
 // docs/texts.md: the commands that it names run, and its last column says no more than they hold.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -359,6 +360,28 @@ TEST(TextsPage, TheTableOfObjectivesIsThatOfThePageOfReproducedTables) {
       cells.push_back(of[objective][10].empty() ? "none" : of[objective][10] + " %");
     EXPECT_EQ(row_beginning(tour, {grid, cells[1]}), cells);
   }
+}
+
+/// The instances of the benchmark in its order, all of its seeds, and the distance from the best known length that it compares with.
+TEST(TextsPage, TheTableOfInstancesHoldsWhatTheBenchmarkRuns) {
+  const std::string benchmark = read_file(CLEARCUT_SOURCE_DIR "/benchmarks/tour_benchmark.cpp");
+  std::string tour = docs_page("tour.md");
+  tour.erase(0, tour.find("<!-- instances: "));
+  const std::regex instance(R"re(\{"([a-z0-9]+)", (\d+), \d+, (\d+)\})re");
+  int compared = 0;
+  for (std::sregex_iterator at(benchmark.begin(), benchmark.end(), instance), end; at != end; ++at) {
+    const auto cells = row_beginning(tour, {(*at)[1]});
+    ASSERT_EQ(cells.size(), 7U) << (*at)[1];
+    const double best_known = std::stod((*at)[2]), length = std::stod(cells[2]);
+    const std::string seeds = (*at)[3];
+    EXPECT_GE(length, best_known) << cells[0];
+    EXPECT_EQ(cells[3], length == best_known ? "0" : fmt::format("{:.4f} %", 100 * (length / best_known - 1)))
+        << cells[0];
+    EXPECT_EQ(cells[1].substr(cells[1].find(" of ")), " of " + seeds) << cells[0];
+    EXPECT_EQ(cells[1] == seeds + " of " + seeds, length == best_known) << cells[0];
+    ++compared;
+  }
+  EXPECT_EQ(compared, 8);
 }
 
 /// The last column of docs/texts.md, for the long tables too: what the program said when it wrote the page of tables.
