@@ -493,6 +493,7 @@ CheckResult check_resolved(const Part& part, const ProgramText& text, const reso
                  SectionNames(cut).settle(shifted.toolpath);
                  Findings found = check(cut, shifted.toolpath, shifted.control, shifted.conditions,
                                         shifted.dialect, plan, stated);
+                 result.worn.push_back({cut, shifted.toolpath});
                  return WornProgram{std::move(shifted.toolpath), std::move(found)};
                });
   for (Condition& one : engraved_by_mills(plan, asked_tools))

@@ -16,6 +16,12 @@
 
 namespace clearcut::pipeline {
 
+/// A program as the control reads it with D words at one end of the range of wear, and its part with cutters as much off their size.
+struct WornCuts {
+  Part part;
+  Toolpath toolpath;
+};
+
 /// Checks any program text against a part. `tools` replace the part's, as in PlanOptions.
 struct CheckResult {
   Part part;
@@ -26,6 +32,7 @@ struct CheckResult {
   std::optional<Toolpath> earlier;   ///< earlier cuts
   std::optional<Margin> margin;      ///< absent: not asked
   std::optional<CopiesMade> copies;  ///< absent: one part
+  std::vector<WornCuts> worn;  ///< both ends of the range of wear; empty: the control compensates for none
 };
 /// `dialect`: the control that will run the program; absent: recognised. `reference_feeds`: feeds at the reference by
 /// tool number, used if feeds follow the load and no option states one.

@@ -27,6 +27,7 @@
 #include "pipeline/steps/out_of_reach.h"
 #include "pipeline/steps/section_order.h"
 #include "pipeline/steps/step_work.h"
+#include "pipeline/steps/worn_feeds.h"
 #include "plan/common/clearing_area.h"
 #include "plan/common/cover.h"
 #include "plan/common/layers.h"
@@ -231,6 +232,7 @@ Toolpath toolpath_of(const Selection& selection, const ResolvedPlan& plan, bool 
   follow_load(toolpath, plan);
   const SectionNames names(part);
   for (Section& section : toolpath.sections) section.label = names.of(section.workingstep);
+  keep_load_when_worn(toolpath, plan);
   return toolpath;
 }
 

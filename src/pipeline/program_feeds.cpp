@@ -72,16 +72,14 @@ CheckResult checked(const ProgramQuestion& question, const std::string& program,
                                    reference_feeds);
 }
 
-/// The moves with the feeds allowed by the rule; their lengths are unchanged.
-Toolpath with_feeds_by_load(const CheckResult& before, const resolve::PlanOptions& options,
+/// The moves of `toolpath` with the feeds allowed by the rule; their lengths are unchanged.
+Toolpath with_feeds_by_load(Toolpath toolpath, const Part& part, const resolve::PlanOptions& options,
                             const ProgramFeeds& feeds, const std::map<int, MmPerMin>& usual) {
-  const Part& part = before.part;
   std::vector<double> radii;
   for (const Tool& tool : part.tools) radii.push_back(tool.radius());
-  stock::Material material = material_at_start(part, before.earlier, radii);
+  stock::Material material = material_at_start(part, feeds.before.earlier, radii);
   verify::LoadReference reference{*resolve::resolve_without_part(options).feed_rule};
   reference.feed_of_tool = feeds.reference_feeds;
-  Toolpath toolpath = before.toolpath;
   for (Section& section : toolpath.sections) {
     const int number = section.tool_number;
     const Tool* const tool = tool_numbered(part.tools, number);
@@ -95,7 +93,7 @@ Toolpath with_feeds_by_load(const CheckResult& before, const resolve::PlanOption
     if (options.machine.max_feed && *options.machine.max_feed < cap) cap = *options.machine.max_feed;
     link::set_load_feeds(section, *tool,
                          {reference.rule, MmPerMin::of(reference.feed(-1, number)), cap, cutting->second,
-                          options.machine.acceleration, false},
+                          options.machine.acceleration, false, false},
                          material);
   }
   return toolpath;
@@ -106,9 +104,8 @@ struct LineFeed {
   double before = 0, after = 0;
 };
 
-/// By line number; for lines with several moves the least feed.
-std::map<int, LineFeed> feeds_by_line(const Toolpath& before, const Toolpath& after) {
-  std::map<int, LineFeed> lines;
+/// Adds feeds by line number; for lines with several moves the least feed.
+void add_feeds_by_line(std::map<int, LineFeed>& lines, const Toolpath& before, const Toolpath& after) {
   for (std::size_t i = 0; i < before.sections.size(); ++i) {
     for (std::size_t k = 0; k < before.sections[i].moves.size(); ++k) {
       const Move& was = before.sections[i].moves[k];
@@ -119,7 +116,6 @@ std::map<int, LineFeed> feeds_by_line(const Toolpath& before, const Toolpath& af
       if (!is_new) line->second.after = std::min(line->second.after, is.feed.mm_per_min());
     }
   }
-  return lines;
 }
 
 /// Writes the lines of a program anew with other feeds, and counts its F words.
@@ -233,8 +229,13 @@ ProgramFeeds feeds_of_program(const ProgramQuestion& question, const std::string
   feeds.reference_feeds = usual;
   if (options.shop.reference_feed)
     for (auto& [tool, feed] : feeds.reference_feeds) feed = *options.shop.reference_feed;
-  const Toolpath planned = with_feeds_by_load(feeds.before, options, feeds, usual);
-  const auto lines = feeds_by_line(feeds.before.toolpath, planned);
+  const Toolpath planned =
+      with_feeds_by_load(feeds.before.toolpath, feeds.before.part, options, feeds, usual);
+  std::map<int, LineFeed> lines;
+  add_feeds_by_line(lines, feeds.before.toolpath, planned);
+  for (const WornCuts& worn : feeds.before.worn)
+    add_feeds_by_line(lines, worn.toolpath,
+                      with_feeds_by_load(worn.toolpath, worn.part, options, feeds, usual));
   FeedWriter writer(program, program_name, lines);
   feeds.program = writer.text();
   feeds.words_before = writer.words_before();

@@ -5,8 +5,10 @@
 #include "base/error.h"
 #include "base/random.h"
 #include "pipeline/check.h"
+#include "pipeline/program_feeds.h"
 #include "pipeline/run.h"
 #include "pipeline/test_drawings.h"
+#include "resolve/values/names.h"
 #include "support/plans.h"
 #include "support/random/random_parts.h"
 
@@ -251,6 +253,43 @@ TEST(Compensation, ToolsWithoutNumbersHaveThoseOfTheirOrder) {
   for (const Move& move : result.toolpath.sections.back().moves)
     if (move.path.from.y < 0 && move.path.to.y > 40) along = move.path.to.x;
   EXPECT_NEAR(along, -2, 1e-6) << "the radius of the second tool beside the line";
+}
+
+/// Adaptive passes and walls with a lead of 1 mm, compensated for up to 0.1 mm of wear.
+resolve::PlanOptions worn_by_load(FeedBy by) {
+  resolve::PlanOptions options = finishing("fanuc");
+  options.strategy = "contour";
+  options.shop.feed_by = by;
+  options.shop.compensation = "wear";
+  options.shop.wear_range = 0.1;
+  return options;
+}
+
+TEST(WearCompensation, FeedsThatFollowTheLoadHoldAtBothEndsOfItsRange) {
+  for (const FeedBy by : {FeedBy::kChip, FeedBy::kRemoval}) {
+    const auto nominal = [&] {
+      resolve::PlanOptions options = worn_by_load(by);
+      options.shop.compensation.reset();
+      options.shop.wear_range.reset();
+      return pipeline::plan_part(pocket(40, 30), options);
+    }();
+    const auto result = pipeline::plan_part(pocket(40, 30), worn_by_load(by));
+    test_support::expect_clean(result, resolve::name_of(by));
+    EXPECT_LE(result.findings.all.time_s, 1.1 * nominal.findings.all.time_s);
+  }
+}
+
+TEST(WearCompensation, FeedsOfAProgramAreLoweredForBothEndsOfItsRange) {
+  resolve::PlanOptions options = worn_by_load(FeedBy::kChip);
+  options.shop.feed_by.reset();
+  const auto plain = pipeline::plan_part(pocket(40, 30), options);
+  options.shop.feed_by = FeedBy::kChip;
+  const Part part = pocket(40, 30);
+  pipeline::ProgramQuestion question;
+  question.part = &part;
+  const auto feeds = pipeline::feeds_of_program(question, plain.program, "p.nc", options);
+  EXPECT_TRUE(feeds.after.findings.faults.empty()) << pipeline::faults_of(feeds.after.findings);
+  EXPECT_LT(feeds.after.findings.all.time_s, feeds.before.findings.all.time_s);
 }
 
 }  // namespace

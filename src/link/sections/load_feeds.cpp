@@ -211,7 +211,8 @@ class LoadFeedSetter {
     Move raised = move;
     raised.z_from += kThinnest;
     raised.z_to += kThinnest;
-    const bool divides = feeds_.divides && is_raised(move);
+    const bool is_lead = move.kind == MoveKind::kLeadIn || move.kind == MoveKind::kLeadOut;
+    const bool divides = feeds_.divides && is_raised(move) && (feeds_.divides_leads || !is_lead);
     // Just after a corner the load is greater than in the corner.
     const double corner = std::min(kCorner / move.path.length(), 0.25 / count);
     Sample before{0, std::min(feed_at(raised, 0), feed_at(raised, corner))};

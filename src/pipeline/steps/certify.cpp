@@ -150,6 +150,10 @@ std::string post_with(const Findings* findings, const std::string& motion_hash, 
 
 }  // namespace
 
+std::string unchecked_program(const Toolpath& planned, const Part& part, const ResolvedPlan& plan) {
+  return post_with(nullptr, "", planned, part, plan);
+}
+
 PostOptions post_options_of(const ResolvedPlan& plan) {
   PostOptions post = plan.post;
   const AxisValues speeds = axis_speeds(plan.machine);  // the control slows each axis down to its own
@@ -293,12 +297,8 @@ verify::VerifyOptions verify_options(const ResolvedPlan& plan) {
   return verify;
 }
 
-namespace {
-
-/// As the control that the program is posted for reads it; tools are put in by hand in the order of work where it has no
-/// words for them.
 read::gcode::Program read_back(const std::string& program, const Toolpath& planned, const ResolvedPlan& plan,
-                               double wear = 0) {
+                               double wear) {
   read::gcode::ReadControllerOptions reading;
   reading.dialect = read::gcode::dialect_named(plan.post.dialect);
   reading.home_z = home_z(plan.machine);
@@ -316,6 +316,8 @@ read::gcode::Program read_back(const std::string& program, const Toolpath& plann
     read.conditions.push_back(hand_tools_condition(tools));
   return read;
 }
+
+namespace {
 
 bool has_wrong_units(const Findings& findings) {
   return std::any_of(findings.faults.begin(), findings.faults.end(),
@@ -440,7 +442,7 @@ Findings check(const Part& part, const Toolpath& toolpath, const ControlTable& c
 }
 
 void certify(PlanResult& result, const Toolpath& planned, const ResolvedPlan& plan) {
-  result.program = post_with(nullptr, "", planned, result.part, plan);
+  result.program = unchecked_program(planned, result.part, plan);
   read::gcode::Program read = read_back(result.program, planned, plan);
   result.toolpath = std::move(read.toolpath);
   SectionNames(result.part).settle(result.toolpath);

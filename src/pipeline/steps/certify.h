@@ -18,6 +18,7 @@
 #include "model/results/margin.h"
 #include "model/results/strategy_selection.h"
 #include "read/gcode/program/dialect.h"
+#include "read/gcode/program/program.h"
 #include "report/result.h"
 #include "verify/verify.h"
 
@@ -83,6 +84,14 @@ struct StatedOfTools {
 Findings check(const Part& part, const Toolpath& toolpath, const ControlTable& control,
                const std::vector<Condition>& conditions, read::gcode::Dialect dialect,
                const ResolvedPlan& plan, StatedOfTools stated = {});
+
+/// The program for `planned` without a verdict in its header.
+std::string unchecked_program(const Toolpath& planned, const Part& part, const ResolvedPlan& plan);
+
+/// As the control that the program is posted for reads it; tools are put in by hand in the order of work where it has no words for
+/// them. `wear`: mm in every D word, where the control compensates.
+read::gcode::Program read_back(const std::string& program, const Toolpath& planned, const ResolvedPlan& plan,
+                               double wear = 0);
 
 /// Posts `planned` for result.part, reads the program back, and checks the result.
 void certify(PlanResult& result, const Toolpath& planned, const ResolvedPlan& plan);

@@ -326,10 +326,11 @@ void follow_load(Toolpath& toolpath, const ResolvedPlan& plan) {
     MmPerMin cap = MmPerMin::of(reference.cap(section.workingstep, section.tool_number));
     if (plan.machine.max_feed && *plan.machine.max_feed < cap) cap = *plan.machine.max_feed;
     const ResolvedStep& step = plan.steps[static_cast<std::size_t>(section.workingstep)];
+    const bool compensates = plan.post.wear && plan.post.wear->shifts(section.workingstep);
     link::set_load_feeds(
         section, tool,
         {*plan.feed_rule, MmPerMin::of(reference.feed(section.workingstep, section.tool_number)), cap,
-         step.feed, plan.machine.acceleration, true, displaced},
+         step.feed, plan.machine.acceleration, true, !compensates, displaced},
         material);
   }
 }
