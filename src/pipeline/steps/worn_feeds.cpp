@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/error.h"
 #include "link/sections/load_feeds.h"
 #include "model/section_names.h"
 #include "pipeline/steps/certify.h"
@@ -87,10 +88,14 @@ void keep_load_when_worn(Toolpath& toolpath, const ResolvedPlan& plan) {
   const std::string program = unchecked_program(numbered, plan.part, plan);
   const std::vector<Move*> moves = feed_moves_of(toolpath);
   for (const double wear : {-plan.post.wear->range, plan.post.wear->range}) {
-    read::gcode::Program read = read_back(program, numbered, plan, wear);
-    const Part part = worn(plan.part, read.compensated_tools, wear);
-    SectionNames(part).settle(read.toolpath);
-    lower(moves, std::move(read.toolpath), part, plan);
+    try {
+      read::gcode::Program read = read_back(program, numbered, plan, wear);
+      const Part part = worn(plan.part, read.compensated_tools, wear);
+      SectionNames(part).settle(read.toolpath);
+      lower(moves, std::move(read.toolpath), part, plan);
+    } catch (const InputError&) {
+      return;  // The control stops there: the check of the program refuses it, with the end of the range.
+    }
   }
 }
 
