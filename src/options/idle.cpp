@@ -275,24 +275,25 @@ std::string without_zigzag(const Situation& at) {
   return unless_planned(at, {"zigzag"}, "the strategy zigzag");
 }
 
+constexpr std::initializer_list<const char*> kContourMethods{
+    "contour", "lom",   "rho",  "second", "lom-corrected", "rho-corrected",
+    "fixed",   "loops", "pwid", "single", "double",        "bisectors"};
+
 std::string without_contours(const Situation& at) {
-  return unless_planned(at,
-                        {"contour", "lom", "rho", "second", "lom-corrected", "rho-corrected", "fixed",
-                         "loops", "pwid", "single", "double", "bisectors"},
-                        "the strategy contour and the published methods");
+  return unless_planned(at, kContourMethods, "the strategy contour and the published methods");
 }
 
 std::string without_reflex_corners(const Situation& at) {
   const auto has_reflex_corners = [&](const Workingstep& step) {
-    const Regions& target = feature_of(at.plan.part, step).target;
-    return std::any_of(target.begin(), target.end(),
+    const Feature& feature = feature_of(at.plan.part, step);
+    return closed_all_round(feature) &&
+           std::any_of(feature.target.begin(), feature.target.end(),
                        [](const Region& region) { return !has_arcs(region) && has_reflex_corner(region); });
   };
   const std::set<std::string> planned = planned_strategies(at, has_reflex_corners);
-  const std::set<std::string> published{"lom", "rho", "second", "fixed"};
-  return unless(std::any_of(planned.begin(), planned.end(),
-                            [&](const std::string& name) { return published.contains(name); }),
-                "it is for lom, rho, second and fixed on outlines without arcs that have reflex corners");
+  return unless(std::any_of(std::begin(kContourMethods), std::end(kContourMethods),
+                            [&](const char* name) { return planned.contains(name); }),
+                "it is for contours of closed outlines without arcs that have reflex corners");
 }
 
 std::string without_start(const Situation& at) {

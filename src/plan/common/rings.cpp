@@ -20,32 +20,17 @@ constexpr double kSpeck = 0.05;
 
 using Pieces = std::vector<AxisPiece>;
 
-class TreeBuilder {
+/// The medial axis in pieces, and the numbers of their ends.
+class AxisCutter {
  public:
-  TreeBuilder(const Clearance& clearance, const Region& domain, const StepOf& step_of, const Tolerances& tol)
-      : clearance_(clearance), domain_(domain), step_of_(step_of), tol_(tol) {}
-
-  std::vector<RingNode> build(double first_level) {
-    add_children(-1, first_level, all_pieces());
-    for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      const double next = nodes_[i].level + step_of_(nodes_[i], inside_[i]);
-      nodes_[i].next_level = next;
-      Pieces pieces = std::move(inside_[i]);
-      nodes_[i].gap = split_off_below(pieces, next + kLevelMargin);
-      add_children(static_cast<int>(i), next, std::move(pieces));
-    }
-    return std::move(nodes_);
-  }
-
- private:
   /// The whole axis in straight pieces; the centre of a round pocket, a single point, is a piece without
   /// length.
-  Pieces all_pieces() {
+  Pieces all_pieces(const Clearance& clearance) {
     Pieces pieces;
-    const auto& axis = clearance_.axis();
+    const auto& axis = clearance.axis();
     std::vector<bool> lone(axis.points.size(), true);
     for (std::size_t i = 0; i < axis.edges.size(); ++i) {
-      add_curve(axis.edges[i], clearance_.axis_curve(static_cast<int>(i), kAxisChord), pieces);
+      add_curve(axis.edges[i], clearance.axis_curve(static_cast<int>(i), kAxisChord), pieces);
       lone[static_cast<std::size_t>(axis.edges[i].a)] = lone[static_cast<std::size_t>(axis.edges[i].b)] =
           false;
     }
@@ -54,17 +39,6 @@ class TreeBuilder {
       if (lone[i]) pieces.push_back({id, id, axis.points[i], axis.points[i]});
     }
     return pieces;
-  }
-
-  void add_curve(const AxisEdge& edge, const std::vector<AxisPoint>& curve, Pieces& pieces) {
-    int from = edge.a;
-    for (std::size_t i = 1; i < curve.size(); ++i) {
-      const int to = i + 1 == curve.size() ? edge.b : next_cut_id_--;
-      const bool rises = curve[i].clearance >= curve[i - 1].clearance;
-      pieces.push_back(rises ? AxisPiece{from, to, curve[i - 1], curve[i]}
-                             : AxisPiece{to, from, curve[i], curve[i - 1]});
-      from = to;
-    }
   }
 
   /// Removes from `pieces` the parts below `level` and returns them; pieces crossing the level are cut in two.
@@ -87,6 +61,39 @@ class TreeBuilder {
     return below;
   }
 
+ private:
+  void add_curve(const AxisEdge& edge, const std::vector<AxisPoint>& curve, Pieces& pieces) {
+    int from = edge.a;
+    for (std::size_t i = 1; i < curve.size(); ++i) {
+      const int to = i + 1 == curve.size() ? edge.b : next_cut_id_--;
+      const bool rises = curve[i].clearance >= curve[i - 1].clearance;
+      pieces.push_back(rises ? AxisPiece{from, to, curve[i - 1], curve[i]}
+                             : AxisPiece{to, from, curve[i], curve[i - 1]});
+      from = to;
+    }
+  }
+
+  int next_cut_id_ = -1;  ///< ends of pieces other than points of the axis have negative numbers
+};
+
+class TreeBuilder {
+ public:
+  TreeBuilder(const Clearance& clearance, const Region& domain, const StepOf& step_of, const Tolerances& tol)
+      : clearance_(clearance), domain_(domain), step_of_(step_of), tol_(tol) {}
+
+  std::vector<RingNode> build(double first_level) {
+    add_children(-1, first_level, cutter_.all_pieces(clearance_));
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      const double next = nodes_[i].level + step_of_(nodes_[i], inside_[i]);
+      nodes_[i].next_level = next;
+      Pieces pieces = std::move(inside_[i]);
+      nodes_[i].gap = cutter_.split_off_below(pieces, next + kLevelMargin);
+      add_children(static_cast<int>(i), next, std::move(pieces));
+    }
+    return std::move(nodes_);
+  }
+
+ private:
   const Regions& at_level(double level) {
     const auto found = insets_.find(level);
     if (found != insets_.end()) return found->second;
@@ -129,7 +136,7 @@ class TreeBuilder {
   }
 
   void add_children(int parent, double level, Pieces pieces) {
-    if (parent < 0) split_off_below(pieces, level + kLevelMargin);
+    if (parent < 0) cutter_.split_off_below(pieces, level + kLevelMargin);
     auto groups = groups_of(pieces);
     const auto& regions = at_level(level);
     std::map<std::size_t, int> node_of_region;
@@ -199,11 +206,17 @@ class TreeBuilder {
   std::vector<RingNode> nodes_;
   std::vector<Pieces> inside_;  ///< per node: the axis inside its contour, until its children are made
   std::map<double, Regions> insets_;
-  int next_cut_id_ = -1;      ///< ends of pieces other than points of the axis have negative numbers
+  AxisCutter cutter_;
   std::vector<int> numbers_;  ///< see number_of
 };
 
 }  // namespace
+
+std::vector<AxisPiece> axis_below(const Clearance& clearance, double level) {
+  AxisCutter cutter;
+  Pieces pieces = cutter.all_pieces(clearance);
+  return cutter.split_off_below(pieces, level + kLevelMargin);
+}
 
 Regions safe_inset(const Clearance& clearance, const Region& domain, double d, const Tolerances& tol) {
   Regions regions = clearance.inset(d);

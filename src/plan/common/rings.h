@@ -33,6 +33,9 @@ struct RingNode {
 /// mm from a contour to the next ones inside it; `inside` is the medial axis inside the contour.
 using StepOf = std::function<double(const RingNode& ring, const std::vector<AxisPiece>& inside)>;
 
+/// The medial axis below the clearance `level`, mm, cut and numbered as ring_tree does.
+std::vector<AxisPiece> axis_below(const Clearance& clearance, double level);
+
 /// clearance.inset(d) without specks nearer than d mm to the boundary of `domain`, the region from which the
 /// clearance was computed: flattening can leave specks at joints of walls with a fillet of nearly the cutter's
 /// radius.

@@ -18,6 +18,7 @@
 #include "base/elementary.h"
 #include "base/error.h"
 #include "geometry/contours/boolean.h"
+#include "geometry/contours/mitred_inset.h"
 #include "geometry/route/legal_area.h"
 #include "plan/common/clearing_area.h"
 #include "plan/common/cover.h"
@@ -165,6 +166,25 @@ void begin_at(Vec2 start, LayerPasses& layer) {
   }
 }
 
+bool is_corrected(const StepRule& rule) {
+  if (rule.kind == StepRule::Kind::kPerContour)
+    return std::all_of(rule.contours.begin(), rule.contours.end(), is_corrected);
+  return rule.kind == StepRule::Kind::kKappaCorrected || rule.kind == StepRule::Kind::kRhoCorrected;
+}
+
+/// Whether a method clears everything, by its steps or by what it adds to its contours.
+bool leaves_nothing(const ContourOptions& options) {
+  switch (options.residuals) {
+    case ResidualRule::kNone:
+      return is_corrected(options.step);
+    case ResidualRule::kPassages:
+    case ResidualRule::kBisectors:
+      return false;
+    default:
+      return true;
+  }
+}
+
 /// Plans rings and shortened paths from the inside out.
 LayerPasses plan_inside_out(const Layer& layer, const ContourOptions& options, FaceRing face_ring,
                             const Tolerances& tol);
@@ -226,7 +246,6 @@ LayerPasses plan_inside_out(const Layer& layer, const ContourOptions& options, F
   job.first_level = layer.tool_radius + layer.wall_stock;
   job.reserve = layer.reserve;
   job.residuals = options.residuals;
-  job.sharp_reflex = options.sharp_reflex;
   // If rings fit exactly, as in pockets of round dimensions, accepting a residual saves a pass; on faces there is no
   // saving.
   const bool bare = layer.bare || !closed_all_round(layer);
@@ -236,6 +255,13 @@ LayerPasses plan_inside_out(const Layer& layer, const ContourOptions& options, F
     const double step = step_after(ring, inside, options.step, layer.tool_radius) - overlap;
     return std::max(step, kSmallestStep * layer.tool_radius);
   };
+  if (options.sharp_reflex) {
+    job.sharp_step = [&, step = job.step](const RingNode& ring, const std::vector<AxisPiece>& inside) {
+      return std::min(step(ring, inside),
+                      step_past_reflex_corners(ring, options.step, layer.tool_radius) - overlap);
+    };
+    job.leaves_nothing = leaves_nothing(options);
+  }
   result.legal = legal_area(layer, domains, job.first_level, tol);
   job.fit_lines = fit_lines_of(domains, job);
   result.passes = ring_passes(domains, job, tol);
@@ -243,7 +269,12 @@ LayerPasses plan_inside_out(const Layer& layer, const ContourOptions& options, F
   for (const auto& pass : result.passes) {
     if (!pass.closed && pass.parent < 0) result.fit_lines.push_back(pass.path);
   }
-  const bool ours = options.step.kind == StepRule::Kind::kWidest && options.residuals == ResidualRule::kOurs;
+  const bool has_corners = std::any_of(domains.begin(), domains.end(), [&](const Domain& domain) {
+    return keeps_corners(domain, job) && has_reflex_corner(domain.region);
+  });
+  // Shortened paths and rounded corners are no contours with corners.
+  const bool ours = options.step.kind == StepRule::Kind::kWidest && options.residuals == ResidualRule::kOurs &&
+                    !has_corners;
   if (ours && options.passage == Passage::kShortest && closed_all_round(layer))
     shorten_passes(domains, job, layer, options, tol, result);
   if (ours) round_corners(result, job.radius, options.feed.mm_per_s(), options.machine.acceleration);
@@ -293,17 +324,11 @@ Passage passage_of(const ContourMethod& method, const StrategyRequest& request) 
                                                                                          : Passage::kShortest;
 }
 
-/// Methods that also cut residuals need contours with round corners, since they know the residuals of those.
-bool cuts_contours_alone(const ContourMethod& method) {
-  return method.residuals == ResidualRule::kNone || method.residuals == ResidualRule::kPassages;
-}
-
 /// As in the published texts: lom, rho and second have corners.
 bool has_sharp_reflex(const ContourMethod& method, const StrategyRequest& request) {
   const std::string name = method.name;
   const bool is_printed_so = name == "lom" || name == "rho" || name == "second";
-  const bool is_corrected = name.ends_with("-corrected");  // its step is the one for round corners
-  return cuts_contours_alone(method) && !is_corrected && request.step.sharp_reflex.value_or(is_printed_so);
+  return request.step.sharp_reflex.value_or(is_printed_so);
 }
 
 Strategy make(const ContourMethod& method, const StrategyRequest& request) {

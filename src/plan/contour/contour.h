@@ -62,7 +62,7 @@ struct ContourOptions {
   ResidualRule residuals = ResidualRule::kOurs;
   Passage passage = Passage::kShortest;
   /// Reflex corners of contours stay corners (CPO-kappa eq. 2) if the outline has no arcs; false: they are rounded.
-  /// Only for rules that cut nothing but contours and passages.
+  /// Where a rule that clears everything cannot do so with corners, they are rounded, too.
   bool sharp_reflex = false;
   /// Effort of the search for shorter paths at the widest step. 0: not at all, under a millisecond; 1: some
   /// tenths of a second for an ordinary pocket.
@@ -103,6 +103,8 @@ double residual_size(double alpha, double radius, double overlap);
 double passage_length(double step, double alpha);
 /// Smallest interior angle between successive edges; pi if all are smooth or reflex.
 double smallest_angle(const Region& contour);
+/// Greatest interior angle between successive edges, radians: above pi at a reflex corner.
+double greatest_angle(const Region& contour);
 /// The smallest interior angle apart from a single smallest one (CPO-rho 3.2).
 double second_smallest_angle(const Region& contour);
 /// The corner with the smallest angle; nothing if several corners have this angle.

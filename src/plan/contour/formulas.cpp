@@ -28,6 +28,13 @@ void add_corners(const Loop& loop, std::vector<Corner>& corners) {
   }
 }
 
+double greatest_angle_of(const Loop& loop) {
+  double greatest = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    greatest = std::max(greatest, interior_angle(loop[i], loop[(i + 1) % loop.size()]));
+  return greatest;
+}
+
 /// Corners by angle, the sharpest first.
 std::vector<Corner> sorted_corners(const Region& contour) {
   std::vector<Corner> corners;
@@ -63,6 +70,12 @@ double passage_length(double step, double alpha) {
 double smallest_angle(const Region& contour) {
   const auto corners = sorted_corners(contour);
   return corners.empty() ? kPi : corners.front().angle;
+}
+
+double greatest_angle(const Region& contour) {
+  double greatest = greatest_angle_of(contour.outer());
+  for (const auto& island : contour.islands()) greatest = std::max(greatest, greatest_angle_of(island));
+  return greatest;
 }
 
 double second_smallest_angle(const Region& contour) {

@@ -7,6 +7,7 @@
 #include "base/tolerances.h"
 #include "geometry/contours/mitred_inset.h"
 #include "geometry/edge.h"
+#include "geometry/route/legal_area.h"
 #include "plan/common/residual.h"
 #include "plan/contour/published_rings.h"
 
@@ -89,15 +90,17 @@ class PassBuilder {
   PassBuilder(const RingJob& job, const Tolerances& tol) : job_(job), tol_(tol) {}
 
   void add_domain(const Domain& domain) {
-    const auto nodes = job_.sharp_reflex && !has_arcs(domain.region)
-                           ? mitred_ring_tree(domain.region, job_.first_level, job_.step, tol_)
-                           : ring_tree(domain.clearance, domain.region, job_.first_level, job_.step, tol_);
-    add_rings(nodes);
-    if (job_.residuals == ResidualRule::kOurs || loop_of(job_.residuals)) {
-      add_residuals(nodes, domain.region);
+    const std::size_t before = passes_.size();
+    const int components_before = components_;
+    if (keeps_corners(domain, job_)) {
+      add_contours(domain,
+                   mitred_ring_tree(domain.region, job_.first_level, job_.sharp_step, tol_));
+      if (!job_.leaves_nothing || mend_rings(before, domain)) return;
+      passes_.resize(before);
+      boxes_.resize(std::min(boxes_.size(), before));
+      components_ = components_before;
     }
-    if (job_.residuals == ResidualRule::kPassages) add_passages(nodes, domain.region);
-    if (job_.residuals == ResidualRule::kBisectors && !nodes.empty()) add_bisectors(domain, nodes);
+    add_contours(domain, ring_tree(domain.clearance, domain.region, job_.first_level, job_.step, tol_));
   }
 
   void add_fit_lines() {
@@ -107,6 +110,34 @@ class PassBuilder {
   std::vector<Pass> take_passes() { return std::move(passes_); }
 
  private:
+  void add_contours(const Domain& domain, const std::vector<RingNode>& nodes) {
+    add_rings(nodes);
+    if (clears_residuals()) add_residuals(nodes, domain.region);
+    if (job_.residuals == ResidualRule::kPassages) add_passages(nodes, domain.region);
+    if (job_.residuals == ResidualRule::kBisectors && !nodes.empty()) add_bisectors(domain, nodes);
+  }
+
+  bool clears_residuals() const {
+    return job_.residuals == ResidualRule::kOurs || loop_of(job_.residuals).has_value();
+  }
+
+  /// Contours with sharp corners leave material about them of which the medial axis knows nothing: straight detours
+  /// clear it. False if they do not.
+  bool mend_rings(std::size_t first, const Domain& domain) {
+    const LegalArea legal(safe_inset(domain.clearance, domain.region, job_.first_level, tol_));
+    MendJob mending;
+    mending.radius = job_.radius;
+    mending.matters = [&](Vec2 p) { return legal.contains(p); };
+    mending.legal = [&](Vec2 a, Vec2 b) { return legal.holds_line(a, b); };
+    std::vector<Path> paths;
+    for (std::size_t i = first; i < passes_.size(); ++i) paths.push_back(passes_[i].path);
+    paths.insert(paths.end(), job_.fit_lines.begin(), job_.fit_lines.end());
+    if (!clears_residuals()) return left_by(paths, mending).empty();
+    if (!mend(paths, mending)) return false;
+    for (std::size_t i = first; i < passes_.size(); ++i) passes_[i].path = std::move(paths[i - first]);
+    return true;
+  }
+
   void add_rings(const std::vector<RingNode>& nodes) {
     rings_of_.assign(nodes.size(), {});
     component_of_.assign(nodes.size(), 0);
@@ -158,6 +189,10 @@ class PassBuilder {
   void add_detour(const RingNode& node, const ResidualPath& residual, const Region& domain) {
     const Vec2 root = residual.points.front();
     const std::size_t ring = ring_at_root(node, root);
+    // A contour with sharp corners may have ended before the axis rises to its level.
+    std::size_t edge = 0;
+    const Nearest begin = nearest_on(passes_[ring].path, root, edge);
+    if (job_.sharp_step && begin.distance > kAtCorner && !stays_clear({Edge::line(begin.point, residual.points[1])}, domain, job_.first_level)) return;
     insert_path(passes_[ring].path, root, [&](Vec2 from, Vec2 in, Vec2 out) {
       std::vector<Vec2> points = residual.points;
       points.front() = points.back() = from;
@@ -189,7 +224,7 @@ class PassBuilder {
   void add_residuals(const std::vector<RingNode>& nodes, const Region& domain) {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       for (const auto& residual : residual_paths(nodes[i], job_.radius - job_.margin)) {
-        if (residual.rooted) {
+        if (residual.rooted && !nodes[i].children.empty()) {
           add_detour(nodes[i], residual, domain);
         } else {
           add_ridge(i, residual);
@@ -330,6 +365,10 @@ class PassBuilder {
 };
 
 }  // namespace
+
+bool keeps_corners(const Domain& domain, const RingJob& job) {
+  return job.sharp_step != nullptr && !has_arcs(domain.region);
+}
 
 std::vector<Path> fit_lines_of(const std::vector<Domain>& domains, const RingJob& job) {
   std::vector<Path> lines;

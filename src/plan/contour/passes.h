@@ -25,9 +25,14 @@ struct RingJob {
   double margin = 0;       ///< mm; overlap for clearing the residuals of rings
   StepOf step;
   ResidualRule residuals = ResidualRule::kOurs;
-  bool sharp_reflex = false;    ///< reflex corners of contours stay corners if the area has no arcs
+  StepOf sharp_step;            ///< of contours whose reflex corners stay corners; none: corners are rounded
+  /// Whether contours with sharp corners must be proven to leave nothing; those that do are rounded instead.
+  bool leaves_nothing = false;
   std::vector<Path> fit_lines;  ///< lines on which the cutter just fits: the same for any step
 };
+
+/// Whether the contours of a domain keep its reflex corners: those of areas without arcs, if the job asks for it.
+bool keeps_corners(const Domain& domain, const RingJob& job);
 
 /// Lines on which the cutter just fits in the domains at job.first_level.
 std::vector<Path> fit_lines_of(const std::vector<Domain>& domains, const RingJob& job);

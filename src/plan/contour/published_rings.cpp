@@ -80,14 +80,16 @@ std::optional<Path> corner_loop(CornerLoop kind, Vec2 root, Vec2 tip, Vec2 in, V
 
 namespace {
 
-/// The place with the greatest clearance in the contour, as a piece of axis: levels are counted from the wall.
-AxisPiece to_centre(const RingNode& ring, const Tolerances& tol) {
-  AxisPoint deepest{ring.contour.outer().front().from, 0};
-  const Clearance clearance(ring.contour, tol);
-  for (const AxisPoint& point : clearance.axis().points)
-    if (point.clearance > deepest.clearance) deepest = point;
-  deepest.clearance += ring.level;
-  return {0, 0, deepest, deepest};
+constexpr double kEverywhere = 1e9;  // mm
+
+/// The medial axis inside a contour up to `depth` mm from it; levels are counted from the wall.
+std::vector<AxisPiece> axis_inside(const RingNode& ring, const Clearance& clearance, double depth) {
+  std::vector<AxisPiece> pieces = axis_below(clearance, depth);
+  for (AxisPiece& piece : pieces) {
+    piece.low.clearance += ring.level;
+    piece.high.clearance += ring.level;
+  }
+  return pieces;
 }
 
 }  // namespace
@@ -105,10 +107,12 @@ std::vector<RingNode> mitred_ring_tree(const Region& domain, double first_level,
   };
   add(domain, first_level, -1, first_level);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const double step = step_of(nodes[i], {to_centre(nodes[i], tol)});
-    nodes[i].next_level = nodes[i].level + step;
     const Region around = nodes[i].contour;  // a copy: the list grows
+    const Clearance clearance(around, tol);
+    const double step = step_of(nodes[i], axis_inside(nodes[i], clearance, kEverywhere));
+    nodes[i].next_level = nodes[i].level + step;
     add(around, step, static_cast<int>(i), nodes[i].next_level);
+    nodes[i].gap = axis_inside(nodes[i], clearance, nodes[i].children.empty() ? kEverywhere : step);
   }
   return nodes;
 }

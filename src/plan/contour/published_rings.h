@@ -39,8 +39,8 @@ std::optional<Path> corner_loop(CornerLoop kind, Vec2 root, Vec2 tip, Vec2 in, V
 
 /// The contours of a polygon from the distance `first_level`, mm, inwards: each with its sides moved in and prolonged
 /// to their intersections (CPO-kappa eq. 2, in which interior angles above pi lengthen the sides; all moves are
-/// straight). Parents come before their children; the nodes have no gaps. `step_of` gets one piece of axis rising to
-/// the greatest clearance inside the contour.
+/// straight). Parents come before their children. Clearances are those in the contour around, counted on from its
+/// level: about reflex corners they are less than the distance from the wall.
 ///
 /// Shape   nested as given by the moved sides: regions split, sides vanish, and islands grow.
 /// Error   1 nm a contour.

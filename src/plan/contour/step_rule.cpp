@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 #include <optional>
 
+#include "base/elementary.h"
 #include "base/error.h"
 #include "base/tolerances.h"
 #include "plan/contour/contour.h"
@@ -128,6 +130,17 @@ double step_after(const RingNode& ring, const std::vector<AxisPiece>& inside, co
   CLEARCUT_ASSERT(!rule.contours.empty());
   const auto index = std::min(static_cast<std::size_t>(ring.depth), rule.contours.size() - 1);
   return step_after(ring, inside, rule.contours[index], radius);
+}
+
+double step_past_reflex_corners(const RingNode& ring, const StepRule& rule, double radius) {
+  if (rule.kind == Kind::kPerContour) {
+    const auto index = std::min(static_cast<std::size_t>(ring.depth), rule.contours.size() - 1);
+    return step_past_reflex_corners(ring, rule.contours[index], radius);
+  }
+  if (rule.kind != Kind::kKappaCorrected && rule.kind != Kind::kRhoCorrected)
+    return std::numeric_limits<double>::infinity();
+  const double reach = rule.kind == Kind::kKappaCorrected ? radius : radius - overlap_of(rule, radius);
+  return radius + reach * base::sin(greatest_angle(ring.contour) / 2);
 }
 
 std::vector<ContourStep> contour_steps(const Regions& allowed, const StepRule& rule, double radius,

@@ -19,6 +19,12 @@ namespace clearcut::plan::contour {
 double step_after(const RingNode& ring, const std::vector<AxisPiece>& inside, const StepRule& rule,
                   double radius);
 
+/// mm from `ring` to the next contours whose reflex corners stay corners, at most: by the corrected rules the widest
+/// step that leaves nothing in a reflex corner. Halfway between two contours the bisector of a corner of angle alpha is
+/// farthest from both, so that step <= R + reach sin(alpha / 2), as for the axis of a convex corner (ring_band.h).
+/// Infinite by all other rules.
+double step_past_reflex_corners(const RingNode& ring, const StepRule& rule, double radius);
+
 /// A contour, and the step required by its smallest angle.
 struct ContourStep {
   double from_wall = 0;       ///< mm
