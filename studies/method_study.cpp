@@ -19,7 +19,7 @@ const std::string kOurs = "contour";
 MethodOutcome outcome_of(const std::string& method, const Part& part, resolve::PlanOptions options) {
   options.strategy = method;
   // The causes that are told apart (plan/contour/ring_band.h) are those of contours whose reflex corners are round.
-  options.published.sharp_reflex = false;
+  options.published.sharp_reflex = options.published.sharp_reflex.value_or(false);
   MethodOutcome outcome;
   try {
     const auto result = pipeline::plan_part(part, options);

@@ -1,11 +1,13 @@
 // Contours with sharp reflex corners: against the papers' lengths, and against offsets side by side on random polygons.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
 #include "base/units.h"
 #include "geometry/contours/mitred_inset.h"
+#include "plan/common/cover.h"
 #include "plan/contour/contour.h"
 #include "plan/contour/published_rings.h"
 #include "plan/contour/side_offsets.h"
@@ -54,21 +56,22 @@ TEST(MitredRings, OfFigureNineAreSixSimilarStars) {
   EXPECT_NEAR(total + published.passages, 2195.3553, 1e-3);
 }
 
+Loop random_polygon(int corners, std::mt19937& random, std::uniform_real_distribution<double>& share) {
+  std::vector<Vec2> points;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * kPi * (i + 0.8 * share(random)) / corners, from = 10 + 40 * share(random);
+    points.push_back({from * std::cos(angle), from * std::sin(angle)});
+  }
+  return loop_from_points(points);
+}
+
 /// Every side of an inset is a side of the region, moved in; no place of it is nearer to the boundary than the distance.
 TEST(MitredInset, OfRandomPolygonsHasMovedSidesAndKeepsItsDistance) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> share(0, 1);
   int insets = 0;
   for (int trial = 0; trial < 200; ++trial) {
-    const int corners = 5 + trial % 9;
-    std::vector<Vec2> points;
-    for (int i = 0; i < corners; ++i) {
-      const double angle = 2 * kPi * (i + 0.8 * share(random)) / corners, from = 10 + 40 * share(random);
-      points.push_back({from * std::cos(angle), from * std::sin(angle)});
-    }
-    Loop loop;
-    for (std::size_t i = 0; i < points.size(); ++i)
-      loop.push_back(Edge::line(points[i], points[(i + 1) % points.size()]));
+    const Loop loop = random_polygon(5 + trial % 9, random, share);
     const Region region = Region::from_valid_loops(loop, {});
     const double distance = 0.5 + 3 * share(random);
     for (const Region& inset : mitred_inset(region, distance, {})) {
@@ -86,6 +89,79 @@ TEST(MitredInset, OfRandomPolygonsHasMovedSidesAndKeepsItsDistance) {
     }
   }
   EXPECT_GT(insets, 150);
+}
+
+Layer pocket_of(const Loop& outline, double radius) {
+  Layer layer;
+  layer.z = -1;
+  layer.target = layer.allowed = {Region::from_valid_loops(outline, {})};
+  layer.tool_radius = radius;
+  return layer;
+}
+
+struct MethodRow {
+  const char* step;
+  ResidualRule residuals;
+  bool clears;  ///< whether the method clears everything
+};
+
+constexpr MethodRow kMethods[] = {{"widest", ResidualRule::kOurs, true},
+                                  {"lom", ResidualRule::kNone, false},
+                                  {"rho", ResidualRule::kNone, false},
+                                  {"second", ResidualRule::kPassages, false},
+                                  {"lom-corrected", ResidualRule::kNone, true},
+                                  {"rho-corrected", ResidualRule::kNone, true},
+                                  {"0.9", ResidualRule::kNone, false},
+                                  {"0.9", ResidualRule::kLoops, true},
+                                  {"0.9", ResidualRule::kPwid, true},
+                                  {"0.9", ResidualRule::kSingleLoops, true},
+                                  {"0.9", ResidualRule::kDoubleLoops, true},
+                                  {"0.9", ResidualRule::kBisectors, false}};
+
+std::size_t corners_with_arcs(const LayerPasses& planned, Vec2 reflex) {
+  std::size_t arcs = 0;
+  for (const Pass& pass : planned.passes)
+    arcs += static_cast<std::size_t>(std::count_if(pass.path.begin(), pass.path.end(), [&](const Edge& edge) {
+      return edge.is_arc() && norm(edge.center - reflex) < 1e-6;
+    }));
+  return arcs;
+}
+
+/// By every method contours are round about the reflex corner of an angle, or keep it; what clears everything does so.
+TEST(ReflexCorners, AreRoundOrKeptByEveryMethod) {
+  const Vec2 reflex{60, 40};
+  const std::vector<Vec2> points{{0, 0}, {120, 0}, {120, 40}, reflex, {60, 90}, {0, 90}};
+  const Layer layer = pocket_of(loop_from_points(points), 4);
+  for (const MethodRow& method : kMethods) {
+    ContourOptions options;
+    options.step = parse_step_rule(method.step);
+    options.residuals = method.residuals;
+    options.effort = 0;
+    for (const bool sharp : {false, true}) {
+      options.sharp_reflex = sharp;
+      const LayerPasses planned = plan_contour(layer, options, {});
+      EXPECT_EQ(corners_with_arcs(planned, reflex) > 0, !sharp) << method.step;
+      EXPECT_TRUE(!method.clears || leaves_nothing(planned, layer.tool_radius)) << method.step;
+    }
+  }
+}
+
+/// On any polygon: what clears everything with round corners does so with sharp ones.
+TEST(ReflexCorners, KeptByMethodsThatClearEverythingLeaveNothing) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> share(0, 1);
+  for (int trial = 0; trial < 12; ++trial) {
+    const Layer layer = pocket_of(random_polygon(5 + trial % 7, random, share), 1.5 + 2 * share(random));
+    for (const MethodRow& method : kMethods) {
+      if (!method.clears) continue;
+      ContourOptions options;
+      options.step = parse_step_rule(method.step);
+      options.residuals = method.residuals;
+      options.sharp_reflex = true;
+      EXPECT_TRUE(leaves_nothing(plan_contour(layer, options, {}), layer.tool_radius))
+          << trial << " " << method.step;
+    }
+  }
 }
 
 }  // namespace

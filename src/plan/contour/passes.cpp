@@ -14,6 +14,9 @@
 namespace clearcut::plan::contour {
 namespace {
 
+/// mm. Steps are as wide as they may be up to rests of this thickness (ring_band.cpp), far less than may stay uncut.
+constexpr double kStepResidual = 0.003;
+
 /// mm. Curved bisectors are replaced by chords this near to them.
 constexpr double kBisectorChord = 0.005;
 
@@ -132,7 +135,10 @@ class PassBuilder {
     std::vector<Path> paths;
     for (std::size_t i = first; i < passes_.size(); ++i) paths.push_back(passes_[i].path);
     paths.insert(paths.end(), job_.fit_lines.begin(), job_.fit_lines.end());
-    if (!clears_residuals()) return left_by(paths, mending).empty();
+    if (!clears_residuals()) {
+      mending.residual = kStepResidual;
+      return left_by(paths, mending).empty();
+    }
     if (!mend(paths, mending)) return false;
     for (std::size_t i = first; i < passes_.size(); ++i) passes_[i].path = std::move(paths[i - first]);
     return true;

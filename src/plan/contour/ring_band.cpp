@@ -99,16 +99,18 @@ std::vector<double> RingBand::lengths_to(double level) const {
     lengths[v] = length;
     open.emplace(length, v);
   };
+  // Along a ridge at the level itself, which leads to wider places, a ring would be narrower than rounding.
   const auto has_ring = [&](std::size_t v) {
     const double summit = vertices_[v].summit, room = std::min(kRoom * radius_, (summit - floor_) / 2);
-    return vertices_[v].clearance >= level && summit - level >= room;
+    return vertices_[v].clearance >= level + kNothing && summit - level >= room;
   };
   for (std::size_t v = 0; v < vertices_.size(); ++v) {
     if (has_ring(v)) reach(v, 0);
   }
   for (const auto& link : links_) {
     const double low = vertices_[link.low].clearance, high = vertices_[link.high].clearance;
-    if (low < level && has_ring(link.high)) reach(link.low, link.length * (level - low) / (high - low));
+    if (low < level + kNothing && has_ring(link.high))
+      reach(link.low, std::max(0.0, link.length * (level - low) / (high - low)));
   }
   while (!open.empty()) {
     const auto [length, v] = open.top();

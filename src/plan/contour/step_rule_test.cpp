@@ -128,6 +128,14 @@ TEST(RingBand, NamesCentresRidgesAndNecks) {
             RestCause::kNone);
 }
 
+/// A ring at the level of a ridge that leads to wider places has no width there: what lies about the ridge stays.
+TEST(RingBand, ARingAtTheLevelOfARidgeClearsNothing) {
+  const Region angle = polygon({{0, 0}, {60, 0}, {60, 20}, {30, 20}, {30, 40}, {0, 40}});
+  EXPECT_NE(rest_of(angle, parse_step_rule("6mm"), 4).cause, RestCause::kNone);
+  EXPECT_EQ(rest_of(angle, parse_step_rule("lom-corrected"), 4).cause, RestCause::kNone);
+  EXPECT_LT(levels_of(angle, "lom-corrected", 4).at(1), 10 - 1e-3);
+}
+
 Region random_star(Random& random) {
   std::vector<Vec2> corners;
   const int n = 3 + static_cast<int>(random.below(9));
