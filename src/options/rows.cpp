@@ -749,8 +749,9 @@ std::vector<Row> strategy_rows() {
        .group = Group::kStrategy,
        .level = Level::kResearch,
        .kind = kChoice,
-       .sentence = "Shape of contours at reflex corners of closed outlines without arcs: corner (default of lom, "
-                   "rho and second) or round",
+       .sentence =
+           "Shape of contours at reflex corners of closed outlines without arcs: corner (default of lom, "
+           "rho and second) or round",
        .field = CLEARCUT_FIELD(plan.published.sharp_reflex),
        .names = {"round", "corner"},
        .table = JobTable::kPlan,

@@ -273,8 +273,8 @@ LayerPasses plan_inside_out(const Layer& layer, const ContourOptions& options, F
     return keeps_corners(domain, job) && has_reflex_corner(domain.region);
   });
   // Shortened paths and rounded corners are no contours with corners.
-  const bool ours = options.step.kind == StepRule::Kind::kWidest && options.residuals == ResidualRule::kOurs &&
-                    !has_corners;
+  const bool ours = options.step.kind == StepRule::Kind::kWidest &&
+                    options.residuals == ResidualRule::kOurs && !has_corners;
   if (ours && options.passage == Passage::kShortest && closed_all_round(layer))
     shorten_passes(domains, job, layer, options, tol, result);
   if (ours) round_corners(result, job.radius, options.feed.mm_per_s(), options.machine.acceleration);

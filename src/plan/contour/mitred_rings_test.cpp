@@ -105,18 +105,13 @@ struct MethodRow {
   bool clears;  ///< whether the method clears everything
 };
 
-constexpr MethodRow kMethods[] = {{"widest", ResidualRule::kOurs, true},
-                                  {"lom", ResidualRule::kNone, false},
-                                  {"rho", ResidualRule::kNone, false},
-                                  {"second", ResidualRule::kPassages, false},
-                                  {"lom-corrected", ResidualRule::kNone, true},
-                                  {"rho-corrected", ResidualRule::kNone, true},
-                                  {"0.9", ResidualRule::kNone, false},
-                                  {"0.9", ResidualRule::kLoops, true},
-                                  {"0.9", ResidualRule::kPwid, true},
-                                  {"0.9", ResidualRule::kSingleLoops, true},
-                                  {"0.9", ResidualRule::kDoubleLoops, true},
-                                  {"0.9", ResidualRule::kBisectors, false}};
+constexpr MethodRow kMethods[] = {
+    {"widest", ResidualRule::kOurs, true},        {"lom", ResidualRule::kNone, false},
+    {"rho", ResidualRule::kNone, false},          {"second", ResidualRule::kPassages, false},
+    {"lom-corrected", ResidualRule::kNone, true}, {"rho-corrected", ResidualRule::kNone, true},
+    {"0.9", ResidualRule::kNone, false},          {"0.9", ResidualRule::kLoops, true},
+    {"0.9", ResidualRule::kPwid, true},           {"0.9", ResidualRule::kSingleLoops, true},
+    {"0.9", ResidualRule::kDoubleLoops, true},    {"0.9", ResidualRule::kBisectors, false}};
 
 std::size_t corners_with_arcs(const LayerPasses& planned, Vec2 reflex) {
   std::size_t arcs = 0;

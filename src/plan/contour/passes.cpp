@@ -96,8 +96,7 @@ class PassBuilder {
     const std::size_t before = passes_.size();
     const int components_before = components_;
     if (keeps_corners(domain, job_)) {
-      add_contours(domain,
-                   mitred_ring_tree(domain.region, job_.first_level, job_.sharp_step, tol_));
+      add_contours(domain, mitred_ring_tree(domain.region, job_.first_level, job_.sharp_step, tol_));
       if (!job_.leaves_nothing || mend_rings(before, domain)) return;
       passes_.resize(before);
       boxes_.resize(std::min(boxes_.size(), before));
@@ -198,7 +197,9 @@ class PassBuilder {
     // A contour with sharp corners may have ended before the axis rises to its level.
     std::size_t edge = 0;
     const Nearest begin = nearest_on(passes_[ring].path, root, edge);
-    if (job_.sharp_step && begin.distance > kAtCorner && !stays_clear({Edge::line(begin.point, residual.points[1])}, domain, job_.first_level)) return;
+    if (job_.sharp_step && begin.distance > kAtCorner &&
+        !stays_clear({Edge::line(begin.point, residual.points[1])}, domain, job_.first_level))
+      return;
     insert_path(passes_[ring].path, root, [&](Vec2 from, Vec2 in, Vec2 out) {
       std::vector<Vec2> points = residual.points;
       points.front() = points.back() = from;

@@ -25,7 +25,7 @@ struct RingJob {
   double margin = 0;       ///< mm; overlap for clearing the residuals of rings
   StepOf step;
   ResidualRule residuals = ResidualRule::kOurs;
-  StepOf sharp_step;            ///< of contours whose reflex corners stay corners; none: corners are rounded
+  StepOf sharp_step;  ///< of contours whose reflex corners stay corners; none: corners are rounded
   /// Whether contours with sharp corners must be proven to leave nothing; those that do are rounded instead.
   bool leaves_nothing = false;
   std::vector<Path> fit_lines;  ///< lines on which the cutter just fits: the same for any step
