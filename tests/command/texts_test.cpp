@@ -64,7 +64,7 @@ const Sign kSigns[] = {
     {"§ II, fig. 1, alg. 1", "a.txt", "1.8301 6.8301"},
     {"§ II, eq. 1 to 3, fig. 2", "a.txt", "46.4645 26.4645 55.0000 35.0000\n"},
     {"§ II, eq. 2, reflex corners", "a.txt", "\n25.0000 15.0000 25.0000 35.0000\n"},
-    {"§ II, eq. 2, by other methods", "a.txt", "!G0[23]"},
+    {"§ II, eq. 2, by other methods", "a.txt", "! G0[23]\n"},
     {"§ II, eq. 2, by other methods", "", "verdict: CLEAN"},
     {"§ III A, alg. 2, fig. 3", "a.txt", "\n55.0000 32.9289 52.9289 35.0000\n"},
     {"§ III A, alg. 2, fig. 3", "a.txt",
