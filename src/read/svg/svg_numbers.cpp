@@ -49,6 +49,27 @@ std::optional<double> transform_unit(std::string_view unit) {
   return px_per_unit(unit);
 }
 
+/// How `number`, which is a valid one, was written.
+Written written_as(std::string_view number) {
+  const std::size_t exponent_at = number.find_first_of("eE");
+  int last_power = 0;
+  if (exponent_at != std::string_view::npos) {
+    std::string_view exponent = number.substr(exponent_at + 1);
+    if (exponent.front() == '+') exponent.remove_prefix(1);
+    std::from_chars(exponent.data(), exponent.data() + exponent.size(), last_power);
+  }
+  Written written;
+  bool behind_point = false;
+  for (const char c : number.substr(0, exponent_at)) {
+    if (c == '.') behind_point = true;
+    if (c < '0' || c > '9') continue;
+    if (behind_point) --last_power;
+    if (c != '0' || written.significant_digits > 0) ++written.significant_digits;
+  }
+  written.place = std::pow(10.0, last_power);
+  return written;
+}
+
 }  // namespace
 
 void SvgScanner::skip_space() {
@@ -79,6 +100,7 @@ std::optional<double> SvgScanner::number() {
   const auto [end, error] = std::from_chars(text_.data() + start, text_.data() + text_.size(), value);
   if (error != std::errc{} || !std::isfinite(value)) return std::nullopt;
   at_ = static_cast<std::size_t>(end - text_.data());
+  written_ = written_as(text_.substr(start, at_ - start));
   return value;
 }
 

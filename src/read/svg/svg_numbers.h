@@ -8,6 +8,12 @@
 
 namespace clearcut::read {
 
+/// How a number was written.
+struct Written {
+  double place = 1;            ///< value of one unit of its last digit: 0.001 for "4.568", 100 for "2e2"
+  int significant_digits = 0;  ///< its digits from the first that is not 0: 4 for "0.04568"
+};
+
 /// Takes numbers and words off a text; white space and one comma between them are skipped.
 class SvgScanner {
  public:
@@ -16,6 +22,8 @@ class SvgScanner {
   bool at_end();
   /// The next number, or nothing (and no text is consumed) if none begins. "1.5.5" is 1.5 and .5.
   std::optional<double> number();
+  /// How the last number was written.
+  const Written& written() const { return written_; }
   /// A single 0 or 1, without need of a separator ("a1 1 0 01 5 5").
   std::optional<bool> flag();
   /// The next character after white space, not taken; 0 at the end.
@@ -29,6 +37,7 @@ class SvgScanner {
   void skip_space();
   std::string_view text_;
   std::size_t at_ = 0;
+  Written written_;
 };
 
 /// User units per unit: px 1, in 96, mm 96/25.4, ... ; "" 1.

@@ -102,6 +102,25 @@ TEST(Svg, PathCommandsAbsoluteAndRelative) {
   EXPECT_NEAR(area_of("<path d='M0 0Q20 0 20 20T40 40L0 40z'/>"), 800, 0.1);
 }
 
+TEST(Svg, ArcsWhoseEndsLieADiameterApartButForRoundingAreHalfTurns) {
+  // A circle of radius 4.56789 by two arcs, as drawing programs write it. The center would lie 0.02 beside the chord.
+  for (const char* path : {"m 12.3456,20 a 4.5679,4.5679 0 1 1 -9.1357,0 4.5679,4.5679 0 1 1 9.1357,0 z",
+                           "M12.346 20A4.568 4.568 0 1 0 3.211 20 4.568 4.568 0 1 0 12.346 20Z",
+                           "M 12.345678,20 A 4.5678912,4.5678912 0 0 1 7.7777868,24.567891 "
+                           "4.5678912,4.5678912 0 0 1 3.2098956,20 "
+                           "4.5678912,4.5678912 0 1 1 12.345678,20 Z"}) {
+    const Part part =
+        read(page("<g id='HOLE_D5'><path fill='none' stroke='black' d='" + std::string(path) + "'/></g>"));
+    ASSERT_EQ(part.features.size(), 1U) << path;
+    const Box box = geometry::box(part.features.front().target);
+    EXPECT_NEAR(box.max.y - box.min.y, 9.1358, 2e-3) << path;
+    EXPECT_NEAR(box.min.y, 60 - 4.5679, 1e-3) << path;
+  }
+  // Chords that differ by more than the digits' rounding, and numbers of a few digits, are meant as they stand.
+  EXPECT_NEAR(box_of("<path d='M12.3456 20 A4.5679 4.5679 0 0 1 3.2199 20'/>").min.y, 60 - 4.3532, 1e-3);
+  EXPECT_NEAR(box_of("<path d='M14.5 20 A4.5 4.5 0 0 1 5.6 20'/>").min.y, 60 - 3.8310, 1e-3);
+}
+
 TEST(Svg, FillRules) {
   const std::string same_way = "d='M0 0h40v40h-40zM10 10h20v20h-20z'";
   const std::string other_way = "d='M0 0h40v40h-40zM10 10v20h20v-20z'";

@@ -55,14 +55,27 @@ struct ArcWords {
   double tilt = 0;        ///< radians from the x axis to the first radius
   bool large = false;     ///< the longer one of the two arcs with these radii
   bool positive = false;  ///< angles grow along the arc
+  double place = 1;       ///< at which radii and ends are rounded: 0.001 for three digits behind the point
 };
+
+/// Whether the ends lie a diameter apart as far as the written digits tell: a half turn. Near a half turn the center
+/// follows from the square root of the difference, so that the rounding of a radius of 5 to 4 digits behind the
+/// point would move the center by 0.03. `excess` is the squared half chord on the unit circle.
+bool is_half_turn(double excess, const ArcWords& words) {
+  // Coarser digits are dimensions that somebody chose, and no rounding.
+  constexpr double kCoarsest = 1e-3;
+  const double place = words.place / std::min(words.rx, words.ry);
+  // Half a unit of the last digit in the radius, and as much in each coordinate of both ends.
+  const double rounding = place <= kCoarsest ? 1.25 * place : 0;
+  return 1 - std::sqrt(excess) <= rounding;
+}
 
 CenterArc center_arc(Vec2 from, Vec2 to, const ArcWords& words) {
   double rx = words.rx, ry = words.ry;
   const double tilt = words.tilt;
   const Vec2 half = rotated((from - to) / 2.0, -tilt);
   const double excess = (half.x / rx) * (half.x / rx) + (half.y / ry) * (half.y / ry);
-  if (excess > 1) {
+  if (is_half_turn(excess, words)) {
     rx *= std::sqrt(excess);
     ry *= std::sqrt(excess);
   }
@@ -124,7 +137,17 @@ class PathReader {
     return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.';
   }
 
+  /// Keeps the place at which lengths are rounded. Numbers may have lost zeros at their end, so the finest place of
+  /// the path counts, and a number's own place where the number has all digits that programs write.
+  void note_place(const Written& written) {
+    constexpr int kAllDigits = 8;
+    finest_place_ = std::min(finest_place_, written.place);
+    if (written.significant_digits >= kAllDigits) own_place_ = std::max(own_place_, written.place);
+  }
+
+  /// Takes the arguments of one command; the tilt of an arc is no length, its flags are no numbers.
   bool take(char capital, int count, Numbers& numbers) {
+    own_place_ = 0;
     for (int i = 0; i < count; ++i) {
       std::optional<double> value;
       if (capital == 'A' && (i == 3 || i == 4)) {
@@ -132,6 +155,7 @@ class PathReader {
         if (flag) value = *flag ? 1 : 0;
       } else {
         value = scanner_.number();
+        if (value && !(capital == 'A' && i == 2)) note_place(scanner_.written());
       }
       if (!value) return false;
       numbers[static_cast<std::size_t>(i)] = *value;
@@ -201,7 +225,8 @@ class PathReader {
     const double rx = std::abs(n[0]), ry = std::abs(n[1]);
     if (to == at_) return;
     if (rx == 0 || ry == 0) return line_to(to);
-    const CenterArc arc = center_arc(at_, to, {rx, ry, n[2] * kPi / 180, n[3] != 0, n[4] != 0});
+    const CenterArc arc = center_arc(
+        at_, to, {rx, ry, n[2] * kPi / 180, n[3] != 0, n[4] != 0, std::max(finest_place_, own_place_)});
     Path piece;
     append_elliptical({map_(arc.center), map_.linear(arc.u), map_.linear(arc.v), arc.start, arc.sweep},
                       kCurveTolerance, piece);
@@ -232,6 +257,8 @@ class PathReader {
   Vec2 at_, start_, control_;
   char last_ = 'M';
   bool started_ = false;
+  double finest_place_ = 1;  ///< place of the last digit, the finest of all lengths so far
+  double own_place_ = 0;     ///< the coarsest one of lengths of this command that are written with all digits
 };
 
 }  // namespace
