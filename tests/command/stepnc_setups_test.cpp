@@ -107,6 +107,43 @@ TEST(StepNcSetups, OfWhichNothingCanBeMachinedAreLeftOutAndSaid) {
   }
 }
 
+/// The program with a face of the whole block in place of each pocket.
+std::string two_faces() {
+  std::string text = two_setups();
+  for (const char* pocket : {"LEFT',#3,(#41),#102,#104,", "RIGHT',#3,(#41),#202,#204,"}) {
+    text = with(text, "CLOSED_POCKET('" + std::string(pocket) + "(),$,#48,$,$,#50)",
+                "PLANAR_FACE('" + std::string(pocket) + "#55,#56,$,())");
+  }
+  text = with(with(text, "(16.,20.,12.)", "(0.,0.,12.)"), "(44.,20.,12.)", "(0.,0.,12.)");
+  text = with(text, "BOTTOM_AND_SIDE_ROUGH_MILLING($,$,'OP',5.,$,#68,#69,#90,$,$,$,$,2.,$,0.,0.)",
+              "PLANE_ROUGH_MILLING($,$,'OP',5.,$,#68,#69,#90,$,$,$,$,2.,$)");
+  return with(text, "ENDSEC;\nEND",
+              "#55=LINEAR_PATH($,#57,#58);\n#57=TOLERANCED_LENGTH_MEASURE(60.,$);\n"
+              "#58=DIRECTION('',(1.,0.,0.));\n#56=LINEAR_PROFILE($,#59);\n"
+              "#59=TOLERANCED_LENGTH_MEASURE(40.,$);\nENDSEC;\nEND");
+}
+
+TEST(StepNcSetups, WithoutAnythingToCutAreLeftOutOfAWrittenFileAndSaid) {
+  const ScratchFolder folder;
+  const std::string written = folder.path("written.p21");
+  const auto convert = [&](const std::string& text) {
+    return run_clearcut({"convert", folder.file("two.p21", text), "--with-toolpaths", "--accept",
+                         "out-of-reach", "-o", written});
+  };
+  // The first face has cut the second away.
+  const auto done = convert(two_faces());
+  EXPECT_EQ(done.exit_code, 0) << done.out << done.err;
+  EXPECT_THAT(done.out, HasSubstr("set-up 2: no program, as nothing in it is left to cut"));
+  EXPECT_EQ(run_clearcut({"plan", written, "-o", folder.path("again.ngc")}).exit_code, 0);
+  // Neither pocket above the block can be made; the other one is written.
+  for (const std::string above : {"(16.,20.,12.)", "(44.,20.,12.)"}) {
+    const auto missing = convert(with(two_setups(), above, above.substr(0, 9) + "19.)"));
+    EXPECT_EQ(missing.exit_code, 1) << missing.out << missing.err;
+    EXPECT_THAT(missing.out,
+                HasSubstr(above == "(16.,20.,12.)" ? "NOT MACHINED: LEFT\n" : "NOT MACHINED: RIGHT\n"));
+  }
+}
+
 TEST(StepNcSetups, AreRefusedWhereNothingOfAnyCanBeMachined) {
   const ScratchFolder folder;
   const std::string part = folder.file("two.p21", with(two_setups(), ",20.,12.)", ",20.,19.)"));

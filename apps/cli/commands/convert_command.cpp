@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "arguments/plan_arguments.h"
@@ -74,31 +75,54 @@ int convert(const ConvertCommand& command) {
   return kClean;
 }
 
-/// All set-ups, each on the stock left by earlier ones.
-int convert_setups(const ConvertCommand& command, int count) {
-  std::vector<WrittenSetup> setups;
-  std::vector<MachinedSetup> machined;
-  std::vector<Findings> findings;
+/// The set-ups to be written, and what is said of them.
+struct ConvertedSetups {
+  std::vector<WrittenSetup> written;
+  std::vector<Findings> findings;  ///< of each written one
   std::vector<std::string> inputs;
+  std::vector<std::pair<int, NothingToMachine>> left_out;  ///< by their numbers
+};
+
+/// The set-ups, each on the stock left by earlier ones. Of a STEP-NC program those in which nothing can be machined
+/// are left out.
+ConvertedSetups converted_setups(const ConvertCommand& command, int count) {
+  ConvertedSetups out;
+  std::vector<MachinedSetup> machined;
   for (int number = 1; number <= count; ++number) {
     PlanArguments arguments = command.arguments;
-    arguments.setup().number = number;
-    arguments.setup().machined = machined;
-    const Part part = arguments.read();
-    for (const std::string& path : paths_of(arguments.input_files())) inputs.push_back(path);
-    PlanResult result = plan_part(part, arguments.options());
-    const SetupPlace place = arguments.setup().place;
-    machined.push_back({result.part, result.toolpath, place});
-    refuse_shaped_with_toolpaths(result.part, command.output);
-    print(result.part.diagnostics, true);
-    setups.push_back({std::move(result.part), std::move(result.planned), place});
-    findings.push_back(std::move(result.findings));
+    ChosenSetup& setup = arguments.setup();
+    setup.number = number;
+    setup.machined = machined;
+    if (number > 1 && machined.empty()) setup.earlier_programs.assign(out.left_out.size(), kNoProgram);
+    try {
+      const Part part = arguments.read();
+      for (const std::string& path : paths_of(arguments.input_files())) out.inputs.push_back(path);
+      PlanResult result = plan_part(part, arguments.options());
+      machined.push_back({result.part, result.toolpath, setup.place});
+      refuse_shaped_with_toolpaths(result.part, command.output);
+      print(result.part.diagnostics, true);
+      out.written.push_back({std::move(result.part), std::move(result.planned), setup.place});
+      out.findings.push_back(std::move(result.findings));
+    } catch (const NothingToMachine& why) {
+      if (arguments.job()) throw;
+      out.left_out.emplace_back(number, why);
+    }
   }
-  write_outputs({{command.output, write_stepnc(setups)}}, inputs);
+  if (out.written.empty()) throw out.left_out.front().second;
+  return out;
+}
+
+int convert_setups(const ConvertCommand& command, int count) {
+  const ConvertedSetups setups = converted_setups(command, count);
+  write_outputs({{command.output, write_stepnc(setups.written)}}, setups.inputs);
   int exit_code = kClean;
-  for (std::size_t i = 0; i < setups.size(); ++i) {
-    print_line(setups[i].part.name + ": " + with_colours(verdict_and_reasons(findings[i])));
-    exit_code = std::max(exit_code, static_cast<int>(exit_code_of(findings[i])));
+  for (const auto& [number, why] : setups.left_out) {
+    print_left_out(number, why, true);
+    if (!why.is_done()) exit_code = kFault;
+  }
+  for (std::size_t i = 0; i < setups.written.size(); ++i) {
+    print_line(setups.written[i].part.name + ": " + with_colours(verdict_and_reasons(setups.findings[i])));
+    exit_code = std::max(exit_code, static_cast<int>(exit_code_of(setups.findings[i])));
   }
   return exit_code;
 }

@@ -224,17 +224,6 @@ std::vector<PlannedSetup> planned_setups(const PlanCommand& command, int count) 
   return setups;
 }
 
-/// Prints why a set-up has no program.
-void tell_left_out(const PlannedSetup& one) {
-  const Diagnostics& said = one.left_out->said();
-  print_line("set-up " + std::to_string(one.command.arguments.setup().number) +
-             (one.left_out->is_done() ? ": no program, as nothing in it is left to cut: "
-                                      : ": no program, as nothing in it can be machined: ") +
-             one.left_out->what());
-  if (!one.command.quiet) print(said, true);
-  for (const auto& name : names_not_machined(said)) print_line("NOT MACHINED: " + name);
-}
-
 int explain_setups(const PlanCommand& command, int count) {
   for (const PlannedSetup& one : planned_setups(command, count))
     print_line(write_values(one.result.part, one.result.values, table_width()));
@@ -313,7 +302,7 @@ int run_setups(const PlanCommand& command, int count) {
   Verdict worst = Verdict::kClean;
   for (const PlannedSetup& one : setups) {
     if (one.left_out) {
-      tell_left_out(one);
+      print_left_out(one.command.arguments.setup().number, *one.left_out, !one.command.quiet);
       if (!one.left_out->is_done()) worst = Verdict::kFaulty;
       continue;
     }

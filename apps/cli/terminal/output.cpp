@@ -121,6 +121,15 @@ void print_line(const std::string& text) {
   if (text.empty() || text.back() != '\n') std::fputc('\n', stdout);
 }
 
+void print_left_out(int setup, const NothingToMachine& why, bool verbose) {
+  print_line("set-up " + std::to_string(setup) +
+             (why.is_done() ? ": no program, as nothing in it is left to cut: "
+                            : ": no program, as nothing in it can be machined: ") +
+             why.what());
+  if (verbose) print(why.said(), true);
+  for (const auto& name : names_not_machined(why.said())) print_line("NOT MACHINED: " + name);
+}
+
 void complain(std::string message) {
   std::replace(message.begin(), message.end(), '\n', ' ');
   std::fprintf(stderr, "clearcut: %s\n", message.c_str());

@@ -31,6 +31,8 @@ void print(const Diagnostics& diagnostics, bool verbose);
 /// The same for warnings only: printed with an error that ends the command.
 void print_warnings(const Diagnostics& diagnostics);
 void print_line(const std::string& text);
+/// Prints why one of several set-ups has no program, and what of it is not machined.
+void print_left_out(int setup, const NothingToMachine& why, bool verbose);
 /// Prints a message on standard error with the program's name before it, as one line.
 void complain(std::string message);
 /// Prints a table as wide as the terminal, or for a Markdown page.
