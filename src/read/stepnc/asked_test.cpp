@@ -170,7 +170,7 @@ TEST(StepNcOutsideProfiles, ThatEndInsideTheStockAreOpenedOnACondition) {
 }
 
 TEST(StepNcOutsideProfiles, OfAFullTurnHaveNoOpenSide) {
-  for (const char* sweep : {"6.283185307179586", "-6.283185307179586"}) {
+  for (const char* sweep : {"6.283185307179586", "-6.283185307179586", "6.28319", "-6.2832", "360."}) {
     Program p;
     p.feature("PARTIAL_CIRCULAR_SHAPE_PROFILE('P',#3,(#30),#21,#23,$,$,$,#70)")
         .with(70, "PARTIAL_CIRCULAR_PROFILE($,#71," + std::string(sweep) + ")")

@@ -355,7 +355,7 @@ Context::Context(const P21File& file_in, const Tolerances& tol_in, bool in_degre
     for (const AnglePlace& place : kAngles) {
       if (record.keyword != place.keyword) continue;
       const auto value = plain_number(file, record, place.argument);
-      if (value && std::abs(*value) > 2 * kPi) degrees = true;
+      if (value && std::abs(*value) > kRoundedTurn) degrees = true;
     }
     if (record.keyword != "MILLING_TECHNOLOGY") continue;
     const auto spindle = plain_number(file, record, 3);

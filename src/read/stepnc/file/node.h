@@ -11,6 +11,7 @@
 
 #include "base/diagnostics.h"
 #include "base/tolerances.h"
+#include "base/units.h"
 #include "read/part21/part21.h"
 
 namespace clearcut::read::stepnc {
@@ -82,6 +83,9 @@ std::vector<Node> nodes_called(const P21File& file, std::string_view keyword);
 
 /// Of conditions: what the file asks for and nobody does.
 inline constexpr const char* kNotFollowed = "not-followed";
+
+/// Radians. The largest angle that is still a full turn: 6.2832 and 6.28319 are 2 pi with few digits.
+inline constexpr double kRoundedTurn = 2 * kPi + 5e-5;
 
 /// What every part of the mapping needs: tolerances, where to report, and the units that the file leaves
 /// open.

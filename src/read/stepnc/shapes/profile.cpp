@@ -88,7 +88,7 @@ Path arc_from_x(double radius, double sweep) {
 
 double sweep_of(const Node& node, std::size_t argument, Context& context) {
   const double sweep = context.angle(node.needed_number(argument, "sweep angle"));
-  if (sweep == 0 || std::abs(sweep) > 2 * kPi + 1e-9)
+  if (sweep == 0 || std::abs(sweep) > kRoundedTurn)
     node.fail("the sweep angle must be up to a full turn, not zero; correct it");
   return std::clamp(sweep, -2 * kPi, 2 * kPi);
 }
