@@ -131,6 +131,22 @@ TEST(StepNcSetups, EachHasItsStepsAndItsAxes) {
   EXPECT_THAT(open_conditions_of(program.read()), ElementsAre(HasSubstr("cut in 2 set-ups")));
 }
 
+/// What an earlier set-up has cut away over a feature is not known when the file is read.
+TEST(StepNcSetups, ALaterOneMayBeginLowerThanTheBlock) {
+  Program program = two_pockets("#70,#71");
+  program.with(2, "WORKPLAN('MAIN',(#70,#71),$,$,$)").with(82, "CARTESIAN_POINT('',(0.,20.,-5.))");
+  program.with(70, "WORKPLAN('A',(#10),$,#4,$)").with(71, "WORKPLAN('B',(#11),$,#72,$)");
+  program.with(72, "SETUP('S2',$,#7,(#73))").with(73, "WORKPIECE_SETUP(#3,#74,$,$,())");
+  program.with(74, "AXIS2_PLACEMENT_3D('',#22,$,#75)").with(75, "DIRECTION('',(0.,1.,0.))");
+  SetupPlace place;
+  const Part second = read_setup(program.text(), "t.p21", {}, 2, place);
+  ASSERT_EQ(second.features.size(), 1U);
+  EXPECT_EQ(second.features[0].top_z, 0);
+  EXPECT_EQ(second.features[0].floor_z, -10);
+  EXPECT_THAT(all_diagnostics(second), Not(HasSubstr("what is cut before it leaves material")));
+  EXPECT_THAT(all_diagnostics(second), HasSubstr("where earlier set-ups have left material above"));
+}
+
 TEST(StepNcSetups, AWorkpieceThatIsTurnedOverIsCutFromItsOtherSide) {
   Program program;
   program.with(9, "WORKPIECE_SETUP(#3,#74,$,$,())").with(74, "AXIS2_PLACEMENT_3D('',#22,#75,#76)");

@@ -98,7 +98,8 @@ class Reader {
   bool fillets_are_in_plan() const;
   void check_fillet(std::size_t index, const std::vector<std::size_t>& steps);
   void drop_unused_features();
-  void set_tops();
+  void set_tops(int setup);
+  void set_tops_on_carried_stock();
   void drop_finished_steps();
   double floor_of(const Draft& draft) const;
   double regions_top_ = 0;  // z of the top of the zone before, while zones are made

@@ -6,6 +6,7 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <utility>
 
 #include "base/elementary.h"
 #include "base/error.h"
@@ -62,7 +63,7 @@ Part Reader::read(int number) {
   check_members();
   check_fillets();
   drop_unused_features();
-  set_tops();
+  set_tops(number);
   drop_finished_steps();
   context_.flush();
   name_what_is_not_used(start_of_program(), context_);
@@ -643,14 +644,32 @@ void Reader::drop_unused_features() {
   for (Workingstep& step : part_.workplan) step.feature = renumbered[static_cast<std::size_t>(step.feature)];
 }
 
+/// A later set-up is planned on what the earlier ones have left, which the file alone does not tell: tops from stacking
+/// on the whole block are the highest possible ones.
+void Reader::set_tops_on_carried_stock() {
+  const std::vector<double> tops = features::stacked_tops(part_, context_.tol);
+  for (std::size_t i = 0; i < tops.size(); ++i) {
+    Feature& feature = part_.features[i];
+    const double declared = std::exchange(feature.top_z, tops[i]);
+    if (std::abs(tops[i] - declared) <= context_.tol.join_gap) continue;
+    context_.diagnostics.note(
+        feature.name + " (" + feature.source + ")",
+        "its top is given as z " + trimmed(declared, 3) +
+            "; where earlier set-ups have left material above, it is cut from up to z " +
+            trimmed(tops[i], 3));
+  }
+}
+
 /// Tops from stacking; retract planes follow, and stay below the security plane.
-void Reader::set_tops() {
+void Reader::set_tops(int setup) {
   if (absolute_depths_) {
     const std::vector<double> tops = features::stacked_tops(part_, context_.tol);
     for (Workingstep& step : part_.workplan)
       if (step.operation.retract_z)
         *step.operation.retract_z += tops[static_cast<std::size_t>(step.feature)] - feature_of(step).top_z;
     for (std::size_t i = 0; i < tops.size(); ++i) part_.features[i].top_z = tops[i];
+  } else if (setup > 1) {
+    set_tops_on_carried_stock();
   } else {
     features::stack_tops(part_, context_.tol);
     context_.diagnostics.append(part_.diagnostics);
