@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 
 #include "base/tolerances.h"
@@ -232,9 +233,24 @@ std::vector<int> mills_by_size(const std::vector<Tool>& tools) {
   return mills;
 }
 
+/// Whether a tool leaves a sharp corner between a floor and a wall, and cuts walls upright down to its tip.
+bool leaves_corner(const Tool& tool) {
+  return end_radius_of(tool) < kSameEndRadius;
+}
+
+/// The mills with upright sides and flat ends, from large to small: others leave the shape of their ends at the foot of a wall. Without
+/// such mills, all.
+std::vector<int> mills_of_walls(const std::vector<Tool>& tools) {
+  const std::vector<int> all = mills_by_size(tools);
+  std::vector<int> flat;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(flat),
+               [&](int mill) { return leaves_corner(tools[static_cast<std::size_t>(mill)]); });
+  return flat.empty() ? all : flat;
+}
+
 /// Largest mill reaching all but kCorners of the profile's corners, else the smallest.
 int profile_tool(const ProfileCut& cut, const std::vector<Tool>& tools, const Tolerances& tol) {
-  const std::vector<int> mills = mills_by_size(tools);
+  const std::vector<int> mills = mills_of_walls(tools);
   if (mills.empty()) return 0;
   if (cut.side == ProfileSide::kOn) return mills.back();
   for (const int mill : mills) {
@@ -273,7 +289,7 @@ bool makes_fillet(const Tool& tool, const Feature& feature) {
 
 int tool_for_tabs(const Feature& feature, int chosen, const std::vector<Tool>& tools) {
   if (!is_carved(feature, tools[static_cast<std::size_t>(chosen)])) return chosen;
-  const std::vector<int> mills = mills_by_size(tools);
+  const std::vector<int> mills = mills_of_walls(tools);
   return mills.empty() ? chosen : mills.back();
 }
 
@@ -349,7 +365,6 @@ int tool_for(const Feature& feature, const std::vector<Tool>& tools, const std::
     return hole && tool.kind == ToolKind::kDrill && makes_hole(tool, *hole, tol) &&
            (!may_be_milled || !is_shallower_than_point(feature, tool, tol));
   };
-  const auto leaves_corner = [](const Tool& tool) { return end_radius_of(tool) < kSameEndRadius; };
   const auto better = [&](const Tool& a, const Tool& b) {
     if (drills(a) != drills(b)) return drills(a);
     if (clears_floors(a) != clears_floors(b)) return clears_floors(a);

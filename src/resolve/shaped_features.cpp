@@ -220,6 +220,16 @@ void shape(Feature& feature, const Part& part, const Tool& tool, double stock, c
   feature.allowed = subtract(feature.allowed, solid, tol);
 }
 
+/// Narrows the area that a round end has to clear in a profile shallower than it is high: nowhere in the profile does it come to its full
+/// width, and the far side of its kerf is no wall of a part.
+void narrow_to_round_end(Feature& feature, const Tool& tool, double allowance_floor, const Tolerances& tol) {
+  if (feature.profile->side == ProfileSide::kOn || flat_end(tool) > 0) return;
+  const double widest = radius_at(tool, feature.top_z - feature.floor_z - allowance_floor);
+  if (widest >= tool.radius() - kSamePlaceMm) return;
+  feature.target =
+      intersect(feature.target, features::kerf_of(*feature.profile, tool.radius() + widest, tol), tol);
+}
+
 /// Drawings may go deeper than the stock: there is no material below the stock.
 void measure_beyond(Part& part) {
   if (!part.stock) return;
@@ -448,6 +458,11 @@ void shape_profiles(Part& part, const PlanOptions& options, StepSources& sources
   }
   part.workplan = std::move(workplan);
   tops.raise(part);
+  for (const Workingstep& step : part.workplan) {
+    Feature& feature = part.features[static_cast<std::size_t>(step.feature)];
+    if (feature.profile)
+      narrow_to_round_end(feature, tool_of(part, step), step.operation.allowance_floor, options.tol);
+  }
   tell_of_loose_parts(part, options);
 }
 
