@@ -409,6 +409,7 @@ Part prepare(Part part, const PlanOptions& options, StepSources& sources) {
   refuse_above_stock(part);
   take_near_drills(part, options);
   choose_tools(part, options, sources);
+  mark_ways_through(part);
   shape_holes(part, options, sources);
   shape_t_slots(part, options, sources);
   part.keep_outs.insert(part.keep_outs.end(), options.keep_outs.begin(), options.keep_outs.end());

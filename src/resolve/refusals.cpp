@@ -80,14 +80,9 @@ void refuse_above_stock(const Part& part, const Workingstep& step) {
   refuse_spent_hole(feature_of(part, step));
 }
 
-/// Where the feature itself ends: above the end of a tool that goes deeper.
-double asked_floor(const Feature& feature) {
-  return feature.hole ? std::max(feature.floor_z, feature.hole->full_z) : feature.floor_z;
-}
-
 void refuse_below_stock(const Part& part, const Feature& feature) {
   const double floor = asked_floor(feature);
-  if (!comes_out_below(part, feature, floor)) return;
+  if (!lies_below(part, feature, floor)) return;
   throw InputError(
       name_and_place(feature),
       fmt::format("its floor at z {} lies {} mm below the material, which ends at z {}; give less "
@@ -186,7 +181,7 @@ std::optional<std::string> below_material(const Part& part, const Workingstep& s
   const Feature& feature = feature_of(part, step);
   const Tool& tool = tool_of(part, step);
   const double tip = tip_in_hole(feature, tool);
-  if (!comes_out_below(part, feature, tip) || comes_out_below(part, feature, asked_floor(feature)))
+  if (!comes_out_below(part, feature, tip) || lies_below(part, feature, asked_floor(feature)))
     return std::nullopt;
   return fmt::format(
       "the end of T{} ({} {} mm) goes down to z {}, {} mm below the material, which ends at z {}; give less "

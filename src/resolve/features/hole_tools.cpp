@@ -15,9 +15,10 @@ constexpr double kBesideThreadMill = 0.2;
 /// Least width of a bored hole as a multiple of the mill's width: the helix of a mill in a narrower hole has too many
 /// turns.
 constexpr double kLeastBore = 1.1;
-/// mm. Permitted depth below the material of a cut not marked as going through: the surface below the board bears
-/// this.
+/// mm. Permitted depth of a feature's floor below the material: the surface below the board bears this.
 constexpr double kBelowStock = 0.5;
+/// mm. Ends of tools that are lower by less end on the underside.
+constexpr double kOnUnderside = 0.005;
 
 bool is(const Tool& tool, ToolKind kind, double width) {
   return tool.kind == kind && std::abs(tool.diameter - width) < kSameWidth;
@@ -125,7 +126,26 @@ int mill_for(const std::vector<Tool>& tools, const Pilot& pilot) {
 }
 
 bool comes_out_below(const Part& part, const Feature& feature, double z) {
-  return part.stock && !feature.through && part.stock->z_bottom - z > kBelowStock;
+  return part.stock && !feature.through && part.stock->z_bottom - z > kOnUnderside;
+}
+
+bool lies_below(const Part& part, const Feature& feature, double floor) {
+  return part.stock && !feature.through && part.stock->z_bottom - floor > kBelowStock + kSamePlaceMm;
+}
+
+double asked_floor(const Feature& feature) {
+  return feature.hole ? std::max(feature.floor_z, feature.hole->full_z) : feature.floor_z;
+}
+
+void mark_ways_through(Part& part) {
+  for (const Workingstep& step : part.workplan) {
+    Feature& feature = part.features[static_cast<std::size_t>(step.feature)];
+    const bool is_drilled = feature.kind == FeatureKind::kRoundHole && !feature.hole &&
+                            tool_of(part, step).kind == ToolKind::kDrill;
+    const double floor = asked_floor(feature);
+    if (!is_drilled && comes_out_below(part, feature, floor) && !lies_below(part, feature, floor))
+      feature.through = true;
+  }
 }
 
 }  // namespace clearcut::resolve

@@ -33,8 +33,13 @@ int drill_for(const std::vector<Tool>& tools, const Pilot& pilot);
 /// The widest mill able to bore the best width along a helix, or to clear it.
 int mill_for(const std::vector<Tool>& tools, const Pilot& pilot);
 
-/// Whether a tool that makes the feature, which does not go through, comes out below the material with its tip at z: the surface below
-/// the board bears only a little.
+/// Whether a tool that makes the feature, which does not go through, comes out below the material with its tip at z.
 bool comes_out_below(const Part& part, const Feature& feature, double z);
+
+/// Whether the floor of the feature lies farther below the material than the surface below the board bears.
+bool lies_below(const Part& part, const Feature& feature, double floor);
+
+/// Where the feature itself ends: above the end of a tool that goes deeper.
+double asked_floor(const Feature& feature);
 
 }  // namespace clearcut::resolve

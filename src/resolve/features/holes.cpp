@@ -142,7 +142,8 @@ class HoleShaper {
     const Tool& tool = part_.tools[static_cast<std::size_t>(step.operation.tool)];
     if (tool.kind != ToolKind::kDrill || feature.through || !features::makes_hole(tool, *round, options_.tol))
       return;
-    const bool reaches = part_.stock && std::abs(feature.floor_z - part_.stock->z_bottom) < kSame;
+    const bool reaches = part_.stock && feature.floor_z < part_.stock->z_bottom + kSame &&
+                         !lies_below(part_, feature, feature.floor_z);
     if (!reaches && !tool.tip_angle && spot_ < 0) return;
     if (!reaches && !tool.tip_angle) return add_spot(step, feature.floor_z);
     if (!reaches && comes_out_below(part_, feature, feature.floor_z - point_length(tool)))

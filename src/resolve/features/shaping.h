@@ -17,6 +17,9 @@ inline constexpr double kBesideLine = 0.005;
 /// floors.
 void add_facing(Part& part, const PlanOptions& options);
 
+/// Features whose floor lies a little below the material go through it. Plain holes that are drilled are looked at with their drill's point.
+void mark_ways_through(Part& part);
+
 /// Gives every hole requiring more than a cylinder its tool and its depths, and inserts the necessary preceding
 /// steps, as separate features:
 ///

@@ -217,7 +217,9 @@ struct CheckedHeight {
 CheckedHeight checked_height(const FinestWork& finest, double floor, double top, const Tolerances& tol) {
   const double z = floor + finest.above, highest = std::max(floor, top - 2 * tol.uncut);
   if (finest.above <= 0 || z <= highest) return {z, 0};
-  return {highest, finest.profile.radius_at(top - floor) - finest.profile.radius_at(highest - floor)};
+  // A drill that is at its full width at the mouth but for what may be left is not asked for that either.
+  const double full = finest.is_other_hole ? finest.profile.radius_at(top - floor) : finest.radius;
+  return {highest, full - finest.profile.radius_at(highest - floor)};
 }
 
 /// The finest of the steps with a floor, including its stock to leave, at z or below; usually only the last step.
