@@ -9,7 +9,7 @@
 namespace clearcut::link {
 namespace {
 
-/// Share of the tool's radius. A helix with a wider centre circle would leave a post in the middle.
+/// Share of the radius of the tool's flat end. A helix with a wider centre circle would leave a post in the middle.
 constexpr double kWidestBore = 0.95;
 /// Share of the tool's radius. A narrower helix has too many turns; a plunge and a circle in each layer are
 /// quicker.
@@ -84,9 +84,9 @@ Section feed_out_hole(const HoleWork& hole, const LinkOptions& options) {
   return section_of(list, options);
 }
 
-bool can_bore(const HoleWork& hole, double tool_radius) {
+bool can_bore(const HoleWork& hole, double tool_radius, double flat) {
   const double radius = hole.radius - tool_radius;
-  return radius >= kNarrowestBore * tool_radius && radius <= kWidestBore * tool_radius;
+  return radius >= kNarrowestBore * tool_radius && radius <= kWidestBore * flat;
 }
 
 namespace {

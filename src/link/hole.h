@@ -31,9 +31,9 @@ Section feed_out_hole(const HoleWork& hole, const LinkOptions& options);
 /// same value.
 inline constexpr double kPeckGap = 0.254;
 
-/// Whether a helix along the wall leaves nothing in the middle and is wide enough to be quicker than a
-/// plunge.
-bool can_bore(const HoleWork& hole, double tool_radius);
+/// Whether a helix along the wall leaves nothing in the middle, where the flat end of the tool clears the floor, and is wide enough to be
+/// quicker than a plunge.
+bool can_bore(const HoleWork& hole, double tool_radius, double flat);
 
 /// Descends along the wall on a helix no steeper than the entry angle and at most `stepdown` mm deeper in
 /// each turn, once round at the depth, to the middle and out. Climb or conventional as in `options`.

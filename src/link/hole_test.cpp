@@ -30,7 +30,7 @@ TEST(BoreHole, FeedsAtTheWallAndRampsNoFasterThanItsRamps) {
     options.ramp_feed = MmPerMin::of(kRampFeed);
     options.plunge_feed = MmPerMin::of(300);
     const HoleWork hole{{3, 4}, options.tool_radius * (1.11 + 0.8 * random.unit()), 0, -8};
-    ASSERT_TRUE(can_bore(hole, options.tool_radius));
+    ASSERT_TRUE(can_bore(hole, options.tool_radius, options.tool_radius));
     const Section section = bore_hole(hole, 2, options);
     EXPECT_LE(fastest_at_wall(section, MoveKind::kRamp, hole), kFeed * (1 + 1e-9));
     EXPECT_NEAR(fastest_at_wall(section, MoveKind::kCut, hole), kFeed, 1e-6);
@@ -39,6 +39,14 @@ TEST(BoreHole, FeedsAtTheWallAndRampsNoFasterThanItsRamps) {
       EXPECT_LE(move.feed.mm_per_min(), kRampFeed * (1 + 1e-9));
     }
   }
+}
+
+/// The flat of a rounded end goes round less, and would leave a post.
+TEST(BoreHole, LeavesNothingInTheMiddleUnderARoundedEnd) {
+  const HoleWork hole{{3, 4}, 5, 0, -8};
+  EXPECT_TRUE(can_bore(hole, 3, 3));
+  EXPECT_TRUE(can_bore(hole, 3, 2.2));
+  EXPECT_FALSE(can_bore(hole, 3, 2));
 }
 
 TEST(DrillHole, PecksWhatIsDeeperThanItsPeck) {

@@ -249,8 +249,10 @@ std::optional<Section> formed_hole_step(int workingstep, const ResolvedPlan& pla
 
 namespace {
 
+/// What a layer keeps off the wall for a cutter's rounded end is cut by its side.
 link::HoleWork work_of(const features::RoundHole& hole, const std::vector<Layer>& layers) {
-  return {hole.center, hole.radius - layers.back().wall_stock, layers.front().z_top, layers.back().z};
+  const double stock = layers.back().wall_stock - layers.back().rounded;
+  return {hole.center, hole.radius - stock, layers.front().z_top, layers.back().z};
 }
 
 bool is_drilled(const features::RoundHole& hole, const ResolvedStep& step, const Tool& tool,
@@ -268,7 +270,7 @@ bool runs_into_others(const std::vector<Layer>& layers, const Feature& feature) 
 bool is_bored(const link::HoleWork& work, const Feature& feature, const ResolvedStep& step,
               const Tool& tool) {
   return step.strategy == nullptr && feature.kind == FeatureKind::kRoundHole && !step.is_plunge_asked &&
-         link::can_bore(work, tool.radius());
+         link::can_bore(work, tool.radius(), flat_end(tool) > 0 ? flat_end(tool) : tool.radius());
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/cutter_profile.h"
+
 namespace clearcut::resolve {
 namespace {
 
@@ -66,11 +68,18 @@ int tool_of_kind(const std::vector<Tool>& tools, const HoleForm& hole) {
                                                                : ToolKind::kDrill;
   const int own = tool_where(tools, [&](const Tool& tool) { return is(tool, kind, hole.diameter); });
   if (own >= 0 || hole.kind == HoleKind::kReamed || hole.kind == HoleKind::kDrilled) return own;
-  // A mill able to bore the hole along a helix, or to clear it.
-  return best_tool(
-      tools,
-      [&](const Tool& tool) { return mills_upright(tool) && tool.diameter < hole.diameter + kSameWidth; },
-      [](const Tool& tool) { return -tool.diameter; });
+  // A mill able to bore the hole along a helix, or to clear it: a rounded end leaves its shape in the corner.
+  const auto widest = [&](bool flat) {
+    return best_tool(
+        tools,
+        [&](const Tool& tool) {
+          return mills_upright(tool) && tool.diameter < hole.diameter + kSameWidth &&
+                 (!flat || flat_end(tool) >= tool.radius());
+        },
+        [](const Tool& tool) { return -tool.diameter; });
+  };
+  const int sharp = widest(true);
+  return sharp >= 0 ? sharp : widest(false);
 }
 
 int tap_for(const std::vector<Tool>& tools, const Thread& thread) {
