@@ -180,6 +180,11 @@ Regions Standing::wanted(const Regions& regions) const {
   return off_the_walls(regions, feature_.allowed, stock_, tol_);
 }
 
+bool is_cone(const Feature& feature) {
+  return feature.hole &&
+         (feature.hole->kind == HoleKind::kSpotted || feature.hole->kind == HoleKind::kCountersunk);
+}
+
 namespace {
 
 /// Features in order of their first workingstep.
@@ -232,7 +237,7 @@ std::vector<double> stacked_tops(const Part& part, const Tolerances& tol) {
     const bool is_undercut = feature.kind == FeatureKind::kTSlot;
     const double over = top_over(
         feature.target, is_undercut ? shallower(deepest_first, feature.floor_z) : deepest_first, start, tol);
-    const double top = feature.chamfer ? over : std::max(over, feature.floor_z);
+    const double top = feature.chamfer || is_cone(feature) ? over : std::max(over, feature.floor_z);
     tops[static_cast<std::size_t>(index)] = top;
     // A chamfer, a countersink, a thread or an undercut does not lower the material for other features.
     if (feature.chamfer || is_formed(feature) || feature.kind == FeatureKind::kTSlot) continue;

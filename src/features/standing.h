@@ -81,6 +81,9 @@ class Standing {
   bool uncertain_ = false;        ///< whether an earlier step may have left material anywhere
 };
 
+/// Whether the depth of the feature follows from its width: spots and countersinks end below their top, wherever this is.
+bool is_cone(const Feature& feature);
+
 /// Sets top_z of every feature, in workplan order, to the height of the material left over its target by earlier
 /// features. Reports tops that differ from the declared ones by more than tol.join_gap.
 void stack_tops(Part& part, const Tolerances& tol);

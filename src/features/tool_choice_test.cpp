@@ -89,5 +89,25 @@ TEST(Engraving, IsNotForTheFlatTipOfAChamferMill) {
   EXPECT_EQ(chosen({drill, chamfer}), 1) << "there is nothing else";
 }
 
+/// A rounded end leaves its shape at the foot of the wall.
+TEST(Profiles, AreCutByFlatEndsWhereThereAreAny) {
+  Feature outside;
+  outside.profile = ProfileCut{};
+  outside.profile->line = rectangular_region({{0, 0}, {40, 30}}).outer();
+  const auto mill = [](ToolKind kind, double diameter, double corner) {
+    Tool one;
+    one.kind = kind;
+    one.diameter = diameter;
+    one.corner_radius = corner;
+    return one;
+  };
+  const Tool ball = mill(ToolKind::kBallEndMill, 6, 0), bull = mill(ToolKind::kBullNoseEndMill, 8, 1),
+             flat = mill(ToolKind::kEndMill, 6, 0);
+  const auto chosen = [&](const std::vector<Tool>& tools) { return tool_for(outside, tools, {}, {}); };
+  EXPECT_EQ(chosen({ball, flat}), 1);
+  EXPECT_EQ(chosen({flat, bull}), 0);
+  EXPECT_EQ(chosen({ball, bull}), 1) << "there is nothing else";
+}
+
 }  // namespace
 }  // namespace clearcut::features

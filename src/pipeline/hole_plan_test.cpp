@@ -347,6 +347,78 @@ TEST(HolePlan, WhatWouldComeOutBelowTheMaterialIsMilledOrLeft) {
   }
 }
 
+/// Floors a little below the material go through it; the point of a drill comes out of no blind hole, however little.
+TEST(HolePlan, FloorsALittleBelowTheMaterialGoThrough) {
+  struct Row {
+    std::string entities;
+    std::vector<std::string> tools;
+    Verdict verdict;
+  };
+  const Row rows[] = {
+      {rounded_box("POCKET_D12.3", 2, 2, 18, 18, 5), {"endmill:5"}, Verdict::kClean},
+      {circle("DRILL_D12.3", kCenter, 3), {"endmill:5"}, Verdict::kClean},
+      {circle("DRILL_D12.3", kCenter, 3), {"drill:6"}, Verdict::kClean},
+      {circle("DRILL_D10.5", kCenter, 3), {"drill:6:118deg", "endmill:5"}, Verdict::kClean},
+      {circle("TAP_M10_D5", kCenter, 4.25), {"drill:8.5", "tap:M10", "endmill:5"}, Verdict::kClean},
+      {circle("TAP_M10_D5", kCenter, 4.25) + rounded_box("POCKET_D2", 10, 2, 28, 18, 5),
+       {"drill:8.5", "tap:M10", "endmill:8"},
+       Verdict::kConditional}};
+  for (const Row& row : rows) {
+    const Part part = drawn(kBlock + row.entities);
+    const PlanResult result = plan_part(part, with(row.tools));
+    const CheckResult checked = check_program(part, result.program, "x", with(row.tools));
+    for (const Findings* found : {&result.findings, &checked.findings})
+      EXPECT_EQ(verdict_of(*found), row.verdict) << &row - rows << " " << faults_of(*found);
+  }
+  EXPECT_THAT(plan_part(with_circle("DRILL_D12.3", 6), with({"drill:6"})).program, HasSubstr("Z-14.3026"));
+  EXPECT_THAT(refusal(with_circle("DRILL_D12.6", 6), {"drill:6"}), HasSubstr("0.6 mm below the material"));
+}
+
+/// At its mouth a hole as deep as its drill's point is narrower by no more than may be left.
+TEST(HolePlan, HolesAsDeepAsTheirDrillsPointAreDrilled) {
+  const PlanResult result = plan_part(with_circle("DRILL_D1.5", 5.01), with({"drill:5.01", "endmill:8"}));
+  EXPECT_EQ(faults_of(result.findings), "");
+  EXPECT_THAT(result.program, HasSubstr("G98 G81"));
+}
+
+/// A flat end is taken before a rounded one; a rounded one alone clears down to its corner, with nothing in the middle.
+TEST(HolePlan, CounterboresAreMilledByFlatAndRoundedEnds) {
+  for (const char* other : {"endmill:5", "endmill:3", ""}) {
+    for (const char* round : {"bullnose:5:corner=1", "bullnose:6:corner=1", "bullnose:8:corner=3"}) {
+      std::vector<std::string> tools{round, "drill:5.5"};
+      if (*other) tools.emplace_back(other);
+      auto options = with(tools);
+      options.accept = {"out-of-reach"};
+      const Part part = with_circle("CBORE_D4", 10, circle("DRILL_THRU", kCenter, 2.75));
+      const PlanResult result = plan_part(part, options);
+      EXPECT_EQ(faults_of(result.findings), "") << round << " " << other;
+      if (*other) {
+        EXPECT_THAT(result.program, Not(HasSubstr("BULLNOSE"))) << round << " " << other;
+      }
+    }
+  }
+}
+
+/// What facing leaves for its last pass stands over holes, which go through it; cones begin at the face, however deep it is, and
+/// stock to leave on floors is for no hole that another tool comes into.
+TEST(HolePlan, HolesUnderAFaceAreMadeWithAndWithoutStockOnIt) {
+  const std::string holes = box("FACE_D2", -30, -30, 30, 30) + circle("REAM_D8", {0, 0}, 5) +
+                            circle("CSK", {15, -15}, 4) + circle("DRILL_THRU", {15, -15}, 2.5) +
+                            circle("SPOT", {-15, 0}, 2) + circle("BORE_D5", {0, 18}, 6) +
+                            circle("THREAD_M16_D8", {-15, 18}, 8);
+  const std::vector<std::string> tools{"endmill:5",    "drill:5",      "spotdrill:90deg:12",
+                                       "drill:9.8",    "reamer:10",    "chamfer:90deg:12:tip=0.4",
+                                       "vbit:90deg:8", "threadmill:8", "boringbar:12"};
+  for (const char* finish : {"", "floor", "all"}) {
+    for (const double left : {0.0, 0.5}) {
+      auto options = with(tools);
+      options.allowance_floor = left;
+      if (*finish) options.shop.finish = finish;
+      EXPECT_EQ(faults_of(plan_part(drawn(kBlock + holes), options).findings), "") << finish << " " << left;
+    }
+  }
+}
+
 /// Holes that a mill bores before another tool keep no stock for finishing.
 TEST(HolePlan, HolesBeforeAnotherToolAreNotFinished) {
   auto options = with({"endmill:6", "boringbar:14", "threadmill:8"});

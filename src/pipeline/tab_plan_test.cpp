@@ -39,6 +39,27 @@ TEST(CutOuts, RoundedCornersOwnNoFarSideOfTheKerf) {
   }
 }
 
+/// Nowhere in a profile shallower than its radius does a ball come to its width: beside tabs, above them, and in shallow profiles.
+TEST(CutOuts, RoundEndsOwnNoFarSideOfTheKerf) {
+  const std::string stock = box("STOCK_D6", -20, -20, 60, 50);
+  for (const std::string layer : {"PROFILE_D1", "PROFILE_D6", "INSIDE_D6"}) {
+    for (const double high : {1.0, 4.0}) {
+      for (const double left : {0.0, 0.2}) {
+        auto options = with({"ball:6"});
+        options.strategy = "contour";
+        options.allowance = options.allowance_floor = left;
+        options.accept = {"out-of-reach"};
+        if (layer != "PROFILE_D1") {
+          options.tabs.count = 2;
+          options.tabs.height = high;
+        }
+        const PlanResult result = plan_part(drawn(stock + rounded_box(layer, 0, 0, 40, 30, 5)), options);
+        EXPECT_EQ(faults_of(result.findings), "") << layer << ' ' << high << ' ' << left;
+      }
+    }
+  }
+}
+
 /// Stock to leave stands on the walls and the floor beside tabs, which are as high as they are asked all the same.
 TEST(Tabs, StandBesideStockThatIsLeft) {
   for (const TabShape shape : {TabShape::kSquare, TabShape::kTriangular}) {

@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "features/derived_outlines.h"
 #include "features/round_hole.h"
+#include "features/standing.h"
 #include "features/tool_choice.h"
 #include "geometry/contours/boolean.h"
 #include "geometry/voronoi/clearance.h"
@@ -151,7 +152,8 @@ void apply_options(Operation& operation, const Tool& tool, const PlanOptions& op
 
 /// Why no stock can be left on the feature made by the tool; "" if it can.
 std::string made_to_size(const Feature& feature, const Tool& tool) {
-  if (makes_holes(tool) || is_formed(feature)) return "holes are made to size";
+  const bool is_drilled = feature.hole && feature.hole->kind == HoleKind::kDrilled;
+  if (makes_holes(tool) || is_formed(feature) || is_drilled) return "holes are made to size";
   if (tool.kind == ToolKind::kTSlot) return "undercuts are as large as their disc";
   if (is_carved(feature, tool)) return "the cutter's shape makes it";
   return "";
@@ -390,6 +392,19 @@ bool is_made_at_once(const Feature& feature, const Tool& tool) {
   return feature.hole && tool.kind != ToolKind::kDrill && !clears_floors(tool);
 }
 
+/// What is made at once also goes through the stock that earlier steps leave above it for finishing.
+void go_through_stock_above(Part& part, const Tolerances& tol) {
+  const auto leaves_stock = [](const Workingstep& step) { return step.operation.allowance_floor > 0; };
+  if (std::none_of(part.workplan.begin(), part.workplan.end(), leaves_stock)) return;
+  for (std::size_t i = 0; i < part.workplan.size(); ++i) {
+    Workingstep& step = part.workplan[i];
+    const Feature& feature = feature_of(part, step);
+    if (!is_made_at_once(feature, tool_of(part, step)) || !step.operation.stepdown) continue;
+    const double top = features::Standing(part, static_cast<int>(i), tol).top();
+    step.operation.stepdown = std::max(*step.operation.stepdown, top - feature.floor_z);
+  }
+}
+
 Part prepare(Part part, const PlanOptions& options) {
   StepSources sources;
   return prepare(std::move(part), options, sources);
@@ -438,6 +453,7 @@ Part prepare(Part part, const PlanOptions& options, StepSources& sources) {
     put_what_frees_last(part);
   }
   shape_chamfers(part, options.tol);
+  go_through_stock_above(part, options.tol);
   keep_out_of_clamps(part, options.tol);
   std::vector<std::string> noted;
   for (auto& step : part.workplan) {

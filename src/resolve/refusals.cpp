@@ -68,7 +68,8 @@ void refuse_above_stock(const Feature& feature, const Stock& stock) {
 }
 
 void refuse_spent_hole(const Feature& feature) {
-  if (feature.kind != FeatureKind::kRoundHole || feature.top_z > feature.floor_z + kSamePlaceMm) return;
+  const bool is_shaped_later = feature.kind != FeatureKind::kRoundHole || features::is_cone(feature);
+  if (is_shaped_later || feature.top_z > feature.floor_z + kSamePlaceMm) return;
   throw InputError(name_and_place(feature),
                    fmt::format("what is cut before it leaves no material above its floor at z "
                                "{}; correct its depth or leave it out",

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "features/round_hole.h"
+#include "features/standing.h"
 #include "features/tool_choice.h"
 #include "geometry/contours/boolean.h"
 #include "geometry/region.h"
@@ -127,7 +128,7 @@ class HoleShaper {
       shape_tapped(step);
     } else if (kind == HoleKind::kThreadMilled) {
       feature_of(step).hole->external ? shape_external_thread(step) : shape_thread(step);
-    } else if (kind == HoleKind::kCountersunk || kind == HoleKind::kSpotted) {
+    } else if (features::is_cone(feature_of(step))) {
       shape_cone(step);
     } else {
       shape_cylinder(step);
@@ -301,7 +302,7 @@ class HoleShaper {
     double widest = 0;
     for (const Feature& other : part_.features) {
       const auto round = features::round_hole_of(other, options_.tol);
-      if (&other == &cone || !round || is_cone(other)) continue;
+      if (&other == &cone || !round || features::is_cone(other)) continue;
       if (distance(round->center, cone.hole->center) < kSame && 2 * round->radius < cone.hole->diameter)
         widest = std::max(widest, round->radius);
     }
@@ -311,15 +312,10 @@ class HoleShaper {
   bool lies_in_a_hole(const Feature& cone) const {
     return std::any_of(part_.features.begin(), part_.features.end(), [&](const Feature& other) {
       const auto round = features::round_hole_of(other, options_.tol);
-      return round && &other != &cone && !is_cone(other) &&
+      return round && &other != &cone && !features::is_cone(other) &&
              distance(round->center, cone.hole->center) < kSame &&
              round->radius > cone.hole->diameter / 2 - kSame;
     });
-  }
-
-  static bool is_cone(const Feature& feature) {
-    return feature.hole &&
-           (feature.hole->kind == HoleKind::kCountersunk || feature.hole->kind == HoleKind::kSpotted);
   }
 
   void take_tool(Workingstep& step, int tool) { change_tool(step.operation, tool, part_, options_); }
