@@ -4,8 +4,10 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 #include <random>
 #include <string>
+#include <utility>
 
 #include "pipeline/test_drawings.h"
 #include "read/job/read_part.h"
@@ -44,6 +46,43 @@ TEST(OpenPockets, LinksOfLowerLayersCrossNothingThatStandsBesideThem) {
     for (const Diagnostic& note : result.part.diagnostics.items())
       EXPECT_THAT(note.what, ::testing::Not(::testing::HasSubstr("would meet"))) << strategy;
   }
+}
+
+/// mm; lengths of the cuts round a disc in the middle of its block.
+double cut_round_a_disc(const char* strategy, std::optional<std::string> stepover, bool& clean) {
+  std::vector<Vec2> part;
+  for (int i = 0; i < 48; ++i) part.push_back(direction_of(-2 * kPi * i / 48) * 25);
+  resolve::PlanOptions options = with({"endmill:6"});
+  options.strategy = strategy;
+  options.stepover = std::move(stepover);
+  const std::string text =
+      R"({"name":"outside","units":"mm","top":0,"kind":"open_pocket","depth":2,"stock":{"x":[-30,30],"y":[-30,30],"z":[-9,0]},"outer":)" +
+      points_of({{-30, -30}, {30, -30}, {30, 30}, {-30, 30}}) + R"(,"islands":[)" + points_of(part) +
+      R"(],"allowed":[{"outer":)" + points_of({{-90, -90}, {90, -90}, {90, 90}, {-90, 90}}) +
+      R"(,"islands":[)" + points_of(part) + "]}]}";
+  const PlanResult result = plan_part(read::read_part_text(text, "outside.json", {}), options);
+  clean = verdict_of(result.findings) == Verdict::kClean;
+  double length = 0;
+  for (const Section& section : result.toolpath.sections) length += feed_length(section);
+  return length;
+}
+
+/// Contours cut 747 mm when whole rings ran through the air, spirals 595.
+TEST(OpenPockets, HardlyAnyCutRoundAPartRunsThroughTheAir) {
+  bool clean = false;
+  EXPECT_LT(cut_round_a_disc("contour", std::nullopt, clean), 480);
+  EXPECT_TRUE(clean);
+  EXPECT_LT(cut_round_a_disc("spiral", std::nullopt, clean), 575);
+  EXPECT_TRUE(clean);
+}
+
+/// Where a stepover is stated, passes that overlap stay, and only those in the air go.
+TEST(OpenPockets, AStatedStepoverKeepsItsPasses) {
+  bool clean = false;
+  const double cut = cut_round_a_disc("contour", "0.3", clean);
+  EXPECT_GT(cut, 1000);
+  EXPECT_LT(cut, 1200) << "1373 mm with rings in the air";
+  EXPECT_TRUE(clean);
 }
 
 /// A side that the part touches in its middle alone is open all the same: the cutter comes from there into what narrows towards it.

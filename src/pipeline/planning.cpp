@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -28,9 +29,11 @@
 #include "pipeline/steps/section_order.h"
 #include "pipeline/steps/step_work.h"
 #include "pipeline/steps/worn_feeds.h"
+#include "plan/common/air_cuts.h"
 #include "plan/common/clearing_area.h"
 #include "plan/common/cover.h"
 #include "plan/common/layers.h"
+#include "plan/common/machine_clock.h"
 #include "plan/common/profile.h"
 #include "plan/contour/contour.h"
 #include "plan/contour/step_rule.h"
@@ -112,13 +115,72 @@ double time_on_machine(const Section& section, const ResolvedPlan& job) {
       .seconds();
 }
 
+/// Whether two layers differ in height alone.
+bool same_passes(const LayerPasses& a, const LayerPasses& b) {
+  return plan::same_outline(a.target, b.target) &&
+         std::equal(a.passes.begin(), a.passes.end(), b.passes.begin(), b.passes.end(),
+                    [](const Pass& one, const Pass& other) { return one.path == other.path; });
+}
+
+/// The passes without what cuts nothing; nothing where no pass of any layer gets shorter.
+std::optional<std::vector<LayerPasses>> without_air_cuts(const std::vector<LayerPasses>& passes,
+                                                         const StepWork& work, bool takes_overlaps,
+                                                         double most_left, const ResolvedPlan& job) {
+  const ResolvedStep& step = job.steps[static_cast<std::size_t>(work.workingstep)];
+  std::vector<LayerPasses> all;
+  bool is_shorter = false;
+  for (std::size_t i = 0; i < passes.size(); ++i) {
+    throw_if_cancelled(job.cancel);
+    if (i > 0 && same_passes(passes[i], passes[i - 1])) {
+      all.push_back(passes[i]);
+      all.back().passes = all[i - 1].passes;
+      continue;
+    }
+    const Layer& layer = work.layers[i].layer;
+    const plan::RetractLink retract(job.machine, step.feed, plan::retract_heights(layer));
+    auto trimmed = plan::without_air_cuts(passes[i], {layer.tool_radius, step.feed, &retract,
+                                                      step.is_direction_asked, takes_overlaps, most_left});
+    is_shorter = is_shorter || trimmed;
+    all.push_back(trimmed ? *std::move(trimmed) : passes[i]);
+  }
+  if (!is_shorter) return std::nullopt;
+  return all;
+}
+
+/// Share of the time that a change of the passes must gain. Where less is to be expected, the search for it ends.
+constexpr double kWorthwhile = 0.05;
+
+/// Replaces the section of `plan` by one without air cuts if that is faster on the machine than the plan, and than `to_beat` seconds. The
+/// search has as many steps of work as the plan itself; if it needs more the section stays.
+void leave_out_air_cuts(const std::vector<LayerPasses>& passes, const StepWork& work, EntryKind entry,
+                        const StrategyCandidate& candidate, const ResolvedPlan& job, std::uint64_t most_work,
+                        double to_beat, StepPlan& plan) try {
+  const WorkBudget budget(most_work);
+  const double most_left = std::min(1 - kWorthwhile, to_beat / plan.time_s);
+  const auto shorter = without_air_cuts(passes, work, !candidate.stepover.is_given(), most_left, job);
+  if (!shorter) return;
+  Section section = link_step(*shorter, work.workingstep, entry, job);
+  const double time = time_on_machine(section, job);
+  if (time >= plan.time_s * (1 - kWorthwhile)) return;
+  plan.section = std::move(section);
+  plan.time_s = time;
+  plan.is_shortened = true;
+} catch (const OutOfWork&) {
+  return;
+}
+
+/// A stated start, and leads, need their passes as they are.
+bool may_lose_air_cuts(const StepWork& work, const StepPlan& plan, const ResolvedPlan& job) {
+  const ResolvedStep& step = job.steps[static_cast<std::size_t>(work.workingstep)];
+  return work.stands_alone && !plan.pocket && !job.start && step.lead == 0;
+}
+
 /// Number of edges of an outline above which rivals are not tried: the waiting time would be noticeable.
 constexpr std::size_t kMostEdgesForRivals = 400;
 
-}  // namespace
-
-StepPlan plan_step(const StepWork& work, const StrategyCandidate& candidate, const ResolvedPlan& job,
-                   std::uint64_t most_work) {
+/// Plans a step by one strategy; air cuts are left out where it may then take less than `to_beat` seconds.
+StepPlan plan_step_to_beat(double to_beat, const StepWork& work, const StrategyCandidate& candidate,
+                           const ResolvedPlan& job, std::uint64_t most_work) {
   const ResolvedStep& step = job.steps[static_cast<std::size_t>(work.workingstep)];
   const WorkBudget budget(most_work);
   StepPlan plan;
@@ -132,9 +194,20 @@ StepPlan plan_step(const StepWork& work, const StrategyCandidate& candidate, con
         !feature.profile && candidate.strategy->limits_engagement ? step.entry_at_limit : step.entry;
     plan.hole = feature.profile.has_value();
     plan.section = link_step(passes, work.workingstep, entry, job);
+    plan.time_s = time_on_machine(plan.section, job);
+    if (candidate.strategy->loses_air_cuts && may_lose_air_cuts(work, plan, job))
+      leave_out_air_cuts(passes, work, entry, candidate, job, most_work, to_beat, plan);
+    return plan;
   }
   plan.time_s = time_on_machine(plan.section, job);
   return plan;
+}
+
+}  // namespace
+
+StepPlan plan_step(const StepWork& work, const StrategyCandidate& candidate, const ResolvedPlan& job,
+                   std::uint64_t most_work) {
+  return plan_step_to_beat(std::numeric_limits<double>::infinity(), work, candidate, job, most_work);
 }
 
 namespace {
@@ -161,6 +234,24 @@ std::vector<SelectionStep> selection_steps(const ResolvedPlan& plan, const Strat
   return steps;
 }
 
+namespace {
+
+/// Replaces `best` by another strategy's plan if that is faster and leaves nothing; its sizes stay.
+void plan_rival(const StepWork& work, const StrategyEntry& rival, const ResolvedPlan& job,
+                std::uint64_t most_work, StepPlan& best) {
+  try {
+    StepPlan plan = plan_step_to_beat(best.time_s, work, {&rival, {}, false, false, true}, job, most_work);
+    if (plan.section.moves.empty() || plan.time_s >= best.time_s || !plan.leaves_nothing) return;
+    best.section = std::move(plan.section);
+    best.time_s = plan.time_s;
+    best.is_shortened = plan.is_shortened;
+  } catch (const OutOfWork&) {
+    return;  // the candidate itself is kept
+  }
+}
+
+}  // namespace
+
 StepPlan fastest_plan(const StepWork& work, const StrategyCandidate& candidate, const ResolvedPlan& job,
                       const StrategyTable& strategies, std::uint64_t most_work) {
   const Part& part = job.part;
@@ -169,18 +260,13 @@ StepPlan fastest_plan(const StepWork& work, const StrategyCandidate& candidate, 
   const bool alone =
       !candidate.beside_rivals || best.hole || edge_count(feature.allowed) > kMostEdgesForRivals;
   if (alone || best.section.moves.empty()) return best;
-  for (const auto& name : candidate.strategy->rivals) {
-    const StrategyEntry* rival = strategies.find(name);
-    if (!rival) continue;
-    try {
-      StepPlan plan = plan_step(work, {rival, {}, false, false, true}, job, most_work);
-      if (plan.section.moves.empty() || plan.time_s >= best.time_s || !plan.leaves_nothing) continue;
-      best.section = std::move(plan.section);
-      best.time_s = plan.time_s;
-    } catch (const OutOfWork&) {
-      continue;  // the candidate itself is kept
-    }
+  if (candidate.strategy->form_for_open && may_lose_air_cuts(work, best, job)) {
+    const double time = best.time_s;
+    plan_rival(work, *candidate.strategy->form_for_open, job, most_work, best);
+    best.is_shortened = best.is_shortened || best.time_s < time;
   }
+  for (const auto& name : candidate.strategy->rivals)
+    if (const StrategyEntry* rival = strategies.find(name)) plan_rival(work, *rival, job, most_work, best);
   return best;
 }
 

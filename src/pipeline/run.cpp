@@ -148,25 +148,41 @@ void rank_by_figures(Selection& selection, const ResolvedPlan& plan, const PlanR
 }
 
 /// The toolpath of the chosen plans, written, read back and checked; others are chosen until the program is clean or
-/// no plan is left.
-Toolpath certified_toolpath(Selection& selection, const ResolvedPlan& plan, PlanResult& result) {
+/// no plan is left. Nothing if shortened passes do not make it clean.
+std::optional<Toolpath> certified_toolpath(Selection& selection, const ResolvedPlan& plan,
+                                           PlanResult& result) {
   Toolpath toolpath;
   bool over_rests = false;
   do {
     throw_if_cancelled(plan.cancel);
     toolpath = toolpath_of(selection, plan, over_rests);
     certify(result, toolpath, plan);
+    if (selection.has_shortened() && verdict_of(result.findings) == Verdict::kFaulty) return std::nullopt;
   } while (begin_to_go_over_rests(over_rests, result) || retry_unclean(selection, plan, result));
   return toolpath;
+}
+
+/// What is tried in planning a part.
+struct Trial {
+  std::vector<double> reserve_shares;  ///< see step_works()
+  bool loses_air_cuts = true;          ///< passes may go without what cuts nothing
+};
+
+/// The work of every workingstep for a trial.
+std::vector<StepWork> works_of(const ResolvedPlan& plan, const Trial& trial) {
+  std::vector<StepWork> works = step_works(plan, trial.reserve_shares);
+  if (!trial.loses_air_cuts)
+    for (StepWork& work : works) work.stands_alone = false;
+  return works;
 }
 
 /// Every workingstep planned, and the program of the chosen plans certified.
 class CertifiedPlan {
  public:
-  /// `reserve_shares`: see step_works(). `known`: what is said of the part before planning.
-  CertifiedPlan(const ResolvedPlan& plan, const std::vector<double>& reserve_shares,
-                const StrategyTable& strategies, ProgressMeter& meter, const PlanResult& known)
-      : works(step_works(plan, reserve_shares)),
+  /// `known`: what is said of the part before planning.
+  CertifiedPlan(const ResolvedPlan& plan, const Trial& trial, const StrategyTable& strategies,
+                ProgressMeter& meter, const PlanResult& known)
+      : works(works_of(plan, trial)),
         selection(planned_selection(works, plan, strategies, meter)),
         result(known) {
     report_what_does_not_fit(result.part, selection, works, plan);
@@ -179,7 +195,7 @@ class CertifiedPlan {
   const std::vector<StepWork> works;
   Selection selection;
   PlanResult result;
-  Toolpath toolpath;
+  std::optional<Toolpath> toolpath;  ///< absent: it has to be planned with the passes as they are
 };
 
 /// Shares of the stock kept for the rounding of digits with which a workingstep is tried: the more is kept, the wider a strip stays
@@ -207,15 +223,25 @@ bool lower_reserves(double share, const Findings& findings, const ResolvedPlan& 
   return lowered;
 }
 
+/// The certified plan of a trial. Where its passes without what cuts nothing do not make it clean, the trial has them as they are from then on.
+std::unique_ptr<CertifiedPlan> certified_trial(Trial& trial, const ResolvedPlan& plan,
+                                               const StrategyTable& strategies, ProgressMeter& meter,
+                                               const PlanResult& known) {
+  auto certified = std::make_unique<CertifiedPlan>(plan, trial, strategies, meter, known);
+  if (certified->toolpath) return certified;
+  trial.loses_air_cuts = false;
+  return std::make_unique<CertifiedPlan>(plan, trial, strategies, meter, known);
+}
+
 /// The plan with all of that stock; where this leaves material uncut, the one with the fewest faults of those with less stock
 /// there.
 std::unique_ptr<CertifiedPlan> certified_plan(const ResolvedPlan& plan, const StrategyTable& strategies,
                                               ProgressMeter& meter, const PlanResult& known) {
   std::unique_ptr<CertifiedPlan> best;
-  std::vector<double> reserve_shares(plan.part.workplan.size(), 1);
+  Trial trial{std::vector<double>(plan.part.workplan.size(), 1)};
   for (const double share : kReserveShares) {
-    if (best && !lower_reserves(share, best->result.findings, plan, reserve_shares)) break;
-    auto next = std::make_unique<CertifiedPlan>(plan, reserve_shares, strategies, meter, known);
+    if (best && !lower_reserves(share, best->result.findings, plan, trial.reserve_shares)) break;
+    auto next = certified_trial(trial, plan, strategies, meter, known);
     const auto faults = [](const CertifiedPlan& one) { return one.result.findings.faults.size(); };
     if (!best || faults(*next) < faults(*best)) best = std::move(next);
   }
@@ -243,7 +269,7 @@ PlanResult plan_one_part(const Part& part, const resolve::PlanOptions& options) 
   ProgressMeter meter(options.progress, options.cancel);
   const auto certified = certified_plan(plan, strategies, meter, result);
   const Selection& selection = certified->selection;
-  Toolpath toolpath = std::move(certified->toolpath);
+  Toolpath toolpath = *std::move(certified->toolpath);
   result = std::move(certified->result);
   refuse_exceeded_engagement(result, plan, options);
   complete_verdict(toolpath, plan, result);

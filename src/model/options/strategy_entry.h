@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -51,6 +52,9 @@ struct StrategyEntry {
   /// False: its lines run in both directions; "auto" does not try it if a direction is requested.
   bool keeps_direction = true;
   bool takes_stepover = true;  ///< false: "auto" does not pass a stepover to it
+  /// Stretches of passes that cut nothing are taken out where sides are open. Not of published methods, which are compared as they are,
+  /// and not where the engagement is limited: what one pass leaves the next would cut.
+  bool loses_air_cuts = false;
   /// In "auto" also planned if a feature has open sides and the first two strategies are planned.
   bool tried_when_open = false;
 
@@ -64,6 +68,8 @@ struct StrategyEntry {
 
   /// Objectives of its own search, each a plan to choose from where figures of certificates decide; empty: no search.
   std::vector<ObjectiveKind> orders;
+  /// Another form of the strategy, planned as well where sides are open; the fastest is kept. Null: none.
+  std::shared_ptr<const StrategyEntry> form_for_open;
   std::vector<std::string> rivals;  ///< names of strategies also planned; the fastest is kept
   /// Stepovers, "" for the strategy's own, tried in turn if no plan is certified clean.
   std::vector<std::string> fallbacks;

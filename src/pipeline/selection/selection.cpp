@@ -190,6 +190,12 @@ const Section& Selection::section(std::size_t step) const {
   return ranked_[step].all[ranked_[step].at].plan.section;
 }
 
+bool Selection::has_shortened() const {
+  return std::any_of(ranked_.begin(), ranked_.end(), [](const RankedCandidates& ranked) {
+    return !ranked.all.empty() && ranked.all[ranked.at].plan.is_shortened;
+  });
+}
+
 const StrategyCandidate& Selection::candidate(std::size_t step) const {
   return ranked_[step].all[ranked_[step].at].candidate;
 }

@@ -27,6 +27,8 @@ struct StepPlan {
   /// False if a rival's passes are known to leave reachable material.
   bool leaves_nothing = true;
   bool hole = false;  ///< a round hole or a profile: made without any strategy
+  /// Its passes are those of the strategy without what cuts nothing, or of a form of the strategy that has less of it.
+  bool is_shortened = false;
 };
 
 /// A workingstep with its candidates, its tool and the feed needed for bounds.
@@ -64,6 +66,8 @@ class Selection {
   /// Ranks the plans of a step by their costs, the least first, and takes the first. Infinite: unknown, or not clean.
   void rank(std::size_t step, const std::vector<double>& costs);
   const Section& section(std::size_t step) const;
+  /// Whether the plan taken of any step is_shortened.
+  bool has_shortened() const;
   /// Takes the next best plan after one not certified clean: a slower one (including the strategy's own plan after a
   /// rival's), else a fallback. False if no plan is left; the last plan is then kept.
   bool next(std::size_t step);

@@ -304,6 +304,35 @@ bool meets_others(const Part& part, const Feature& feature) {
   });
 }
 
+/// mm2. Less area of stock beside a target is rounding.
+constexpr double kNoStock = 1e-3;
+
+/// Whether nothing rests on what passes clear beyond the targets of the layers: no other feature is so near that a cutter may touch
+/// both, no other step cuts the feature, and where the cutter may be there is no stock beside the targets.
+bool stands_alone(const StepWork& work, const ResolvedPlan& plan) {
+  const Part& part = plan.part;
+  const auto& step = part.workplan[static_cast<std::size_t>(work.workingstep)];
+  const Feature& feature = feature_of(part, step);
+  if (plan.earlier || !part.stock || feature.profile || feature.wall_slope.radians() != 0 ||
+      feature.floor_fillet > 0)
+    return false;
+  if (!outer_profile(tool_of(part, step)).is_cylinder()) return false;
+  double widest = 0;
+  for (const Tool& tool : part.tools) widest = std::max(widest, tool.diameter);
+  for (const Workingstep& other : part.workplan) {
+    if (&other == &step) continue;
+    if (other.feature == step.feature ||
+        !are_apart(feature_of(part, other).target, feature.target, 2 * widest))
+      return false;
+  }
+  return std::all_of(work.layers.begin(), work.layers.end(), [&](const LayerLeft& left) {
+    const Layer& layer = left.layer;
+    if (left.walls_only || left.rest) return false;
+    const Regions stock{rectangular_region(part.stock->plan)};
+    return area(subtract(intersect(stock, layer.allowed, plan.tol), layer.target, plan.tol)) < kNoStock;
+  });
+}
+
 /// Whether all earlier cuts were made in earlier set-ups.
 bool is_carried_alone(const Toolpath& earlier) {
   return std::all_of(earlier.sections.begin(), earlier.sections.end(),
@@ -327,6 +356,7 @@ StepWork step_work(int index, const ResolvedPlan& plan, const std::vector<double
   work.hole = hole_step(standing, index, plan);
   work.layers = layers_left(standing, index, plan, reserve_shares);
   work.done_before = plan.earlier && !standing.empty() && work.layers.empty();
+  work.stands_alone = !closed_all_round(feature) && stands_alone(work, plan);
   // A hole drilled in an earlier set-up is not drilled again.
   if (work.done_before && is_carried_alone(*plan.earlier)) work.hole.reset();
   return work;

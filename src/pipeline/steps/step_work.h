@@ -29,6 +29,8 @@ struct StepWork {
   /// Other features are in its area: they may remove material left here, and the finished part then shows nothing of
   /// it.
   bool meets_others = false;
+  /// Nothing rests on what its passes clear beyond the targets of its layers.
+  bool stands_alone = false;
   bool done_before = false;  ///< an earlier program has left no material worth a cut
 };
 

@@ -5,6 +5,7 @@
 
 #include "geometry/contours/boolean.h"
 #include "geometry/voronoi/clearance.h"
+#include "plan/common/pass_parts.h"
 #include "plan/common/rings.h"
 
 namespace clearcut::plan {
@@ -17,38 +18,6 @@ constexpr double kResidual = 0.001;
 constexpr double kBareMargin = 0.002;
 /// mm. Stretches of walls extend by this beyond the places from which the target can be reached.
 constexpr double kWallMargin = 0.01;
-
-/// The parts of a loop inside `where`; a loop wholly inside is returned as one closed path.
-std::vector<Path> stretches_inside(const Loop& loop, const Regions& where) {
-  std::vector<Path> found;
-  bool joined = false, all = true;
-  for (const auto& edge : loop) {
-    std::vector<double> cuts{0, 1};
-    for (const auto& region : where) {
-      if (!region.box().overlaps(edge.box())) continue;
-      for (const auto& side : region.edges()) {
-        for (const Vec2 p : intersections(edge, side)) cuts.push_back(nearest(edge, p).t);
-      }
-    }
-    std::sort(cuts.begin(), cuts.end());
-    for (std::size_t i = 1; i < cuts.size(); ++i) {
-      if ((cuts[i] - cuts[i - 1]) * edge.length() < 1e-6) continue;
-      const bool inside = contains(where, edge.at((cuts[i - 1] + cuts[i]) / 2));
-      if (inside) {
-        if (!joined) found.emplace_back();
-        found.back().push_back(cuts[i] - cuts[i - 1] >= 1 ? edge : edge.part(cuts[i - 1], cuts[i]));
-      }
-      joined = inside;
-      all = all && inside;
-    }
-  }
-  const bool wraps = !all && found.size() > 1 && joined && found.front().front().from == loop.front().from;
-  if (wraps) {
-    found.back().insert(found.back().end(), found.front().begin(), found.front().end());
-    found.erase(found.begin());
-  }
-  return found;
-}
 
 class AreaBuilder {
  public:
@@ -119,7 +88,7 @@ class AreaBuilder {
 
   void add_loop(const Loop& loop, int component) {
     if (closed_) return add_wall(loop, true, component);
-    for (const auto& stretch : stretches_inside(loop, near_)) {
+    for (const auto& stretch : stretches_inside(loop, true, near_)) {
       add_wall(stretch, stretch.front().from == stretch.back().to, component);
     }
   }

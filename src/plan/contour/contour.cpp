@@ -23,6 +23,7 @@
 #include "plan/common/clearing_area.h"
 #include "plan/common/cover.h"
 #include "plan/common/layers.h"
+#include "plan/common/pass_parts.h"
 #include "plan/common/round_corners.h"
 #include "plan/contour/passes.h"
 #include "plan/contour/published_rings.h"
@@ -69,10 +70,11 @@ bool has_open_side(const Loop& loop, const Regions& allowed) {
 /// just fit into it; thin rests along walls need at least 2.
 constexpr double kReachBesideWalls = 2.05;
 
-/// Place of the first ring of a face, a target with open sides.
+/// Place of the first ring of a target with open sides.
 enum class FaceRing {
-  kInside,  ///< inside the edge, just near enough to clear the sharpest corner
-  kOnEdge   ///< on the edge, so that arms too narrow for a ring inside are also cleared
+  kFromWalls,  ///< rings are at growing distance from the walls alone, and end at the open sides
+  kInside,     ///< inside the edge, just near enough to clear the sharpest corner
+  kOnEdge      ///< on the edge, so that arms too narrow for a ring inside are also cleared
 };
 
 /// mm; permitted extent of rings through air beyond the target's open sides (docs/contour.md, "Open sides").
@@ -93,9 +95,39 @@ double reach_beyond(const Region& target, const Layer& layer, FaceRing face_ring
   return radius - 0.98 * radius * base::sin(smallest_angle(target) / 2);
 }
 
+/// Where only the walls that the cutter may touch bound the rings: a wide frame around the target, less the walls. Empty if there
+/// are none.
+Regions domain_of_walls(const Layer& layer, const Tolerances& tol) {
+  const double beyond = kReachBesideWalls * layer.tool_radius + layer.rounded + layer.wall_stock;
+  const auto walls = subtract(dilate(layer.target, beyond, tol), layer.allowed, tol);
+  if (walls.empty()) return {};
+  const Box around = box(layer.target);
+  // Nothing in the target is nearer to the frame than to a wall.
+  const double frame = distance(around.min, around.max) + 2 * beyond;
+  return subtract({rectangular_region(around.grown(frame))}, walls, tol);
+}
+
+/// Takes off what the passes have beyond the places from which the target is reached.
+void end_at_open_sides(const Layer& layer, bool keeps_direction, const Tolerances& tol,
+                       LayerPasses& planned) {
+  const Regions near = dilate(layer.target, layer.tool_radius + layer.rounded, tol);
+  std::vector<std::vector<Pass>> parts;
+  for (const Pass& pass : planned.passes) {
+    parts.emplace_back();
+    for (Path& stretch : stretches_inside(pass.path, pass.closed, near)) {
+      Pass& part = parts.back().emplace_back(pass);
+      part.closed = pass.closed && stretch.front().from == stretch.back().to;
+      part.path = std::move(stretch);
+      part.reversible = pass.reversible || (!part.closed && pass.parent >= 0 && !keeps_direction);
+    }
+  }
+  replace_passes(planned, std::move(parts));
+}
+
 /// The area in which rings are planned: `allowed` without the area far beyond the target's open sides.
 Regions working_domain(const Layer& layer, FaceRing face_ring, const Tolerances& tol) {
   if (closed_all_round(layer)) return layer.allowed;
+  if (face_ring == FaceRing::kFromWalls) return domain_of_walls(layer, tol);
   Regions closed, open;
   double beyond = 0;
   for (const auto& target : layer.target) {
@@ -216,8 +248,10 @@ LayerPasses plan_contour(const Layer& layer, const ContourOptions& options, cons
   ContourOptions inside_out = options;
   // The paths are reversed at the end, so their rings are planned in the opposite direction.
   if (options.outside_in) inside_out.wall_on_right = !options.wall_on_right;
-  LayerPasses result = plan_inside_out(layer, inside_out, FaceRing::kInside, tol);
-  const bool clears = options.residuals == ResidualRule::kOurs && !closed_all_round(layer);
+  const bool is_from_walls = options.from_walls && !closed_all_round(layer);
+  LayerPasses result =
+      plan_inside_out(layer, inside_out, is_from_walls ? FaceRing::kFromWalls : FaceRing::kInside, tol);
+  const bool clears = !is_from_walls && options.residuals == ResidualRule::kOurs && !closed_all_round(layer);
   if (clears && leaves_border(layer, result))
     result = plan_inside_out(layer, inside_out, FaceRing::kOnEdge, tol);
   result.outside_in = options.outside_in;
@@ -277,6 +311,7 @@ LayerPasses plan_inside_out(const Layer& layer, const ContourOptions& options, F
                     options.residuals == ResidualRule::kOurs && !has_corners;
   if (ours && options.passage == Passage::kShortest && closed_all_round(layer))
     shorten_passes(domains, job, layer, options, tol, result);
+  if (face_ring == FaceRing::kFromWalls) end_at_open_sides(layer, options.keeps_direction, tol, result);
   if (ours) round_corners(result, job.radius, options.feed.mm_per_s(), options.machine.acceleration);
   return result;
 }
@@ -331,8 +366,10 @@ bool has_sharp_reflex(const ContourMethod& method, const StrategyRequest& reques
   return request.step.sharp_reflex.value_or(is_printed_so);
 }
 
-Strategy make(const ContourMethod& method, const StrategyRequest& request) {
+Strategy make(const ContourMethod& method, const StrategyRequest& request, bool from_walls = false) {
   ContourOptions options;
+  options.from_walls = from_walls;
+  options.keeps_direction = request.step.is_direction_asked;
   options.step = parse_step_rule(request.stepover.is_given() ? request.stepover.text : method.stepover);
   options.residuals = method.residuals;
   options.passage = passage_of(method, request);
@@ -355,6 +392,10 @@ StrategyEntry entry_of(const ContourMethod& method) {
   entry.make = [&method](const StrategyRequest& request) { return make(method, request); };
   if (method.residuals != ResidualRule::kOurs) return entry;
   entry.in_auto = AutoUse::kFirst;
+  entry.loses_air_cuts = true;
+  StrategyEntry from_walls = entry;
+  from_walls.make = [&method](const StrategyRequest& request) { return make(method, request, true); };
+  entry.form_for_open = std::make_shared<const StrategyEntry>(std::move(from_walls));
   // Methods without residuals by construction are compared with this one.
   entry.rivals = {"single", "double", "pwid", "loops", "lom-corrected"};
   entry.fallbacks = {"", "0.6", "0.35"};

@@ -67,6 +67,11 @@ struct ContourOptions {
   /// Effort of the search for shorter paths at the widest step. 0: not at all, under a millisecond; 1: some
   /// tenths of a second for an ordinary pocket.
   double effort = 1;
+  /// On layers with open sides the rings are at growing distance from the walls alone, and end at the open sides; no passes if there are
+  /// no walls.
+  bool from_walls = false;
+  /// Then all of them keep the direction of rings; else those that do not follow a wall may be cut to and fro.
+  bool keeps_direction = false;
   /// Rings run with the wall on the right (climb milling for a clockwise spindle); false: on the left.
   bool wall_on_right = true;
   /// Rings at the wall come first, then the rings inside them; false: the reverse order.

@@ -203,6 +203,7 @@ StrategyEntry entry() {
   entry.description = "the shortest path found that clears all, for faces and open blocks";
   entry.make = make_cover;
   entry.keeps_direction = false;
+  entry.loses_air_cuts = true;
   entry.takes_stepover = false;
   entry.in_auto = AutoUse::kBriefly;
   entry.tried_when_open = true;

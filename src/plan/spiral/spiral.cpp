@@ -428,6 +428,7 @@ StrategyEntry entry() {
   entry.name = "spiral";
   entry.description = "smooth turns from contour to contour, without passages";
   entry.make = make;
+  entry.loses_air_cuts = true;
   entry.in_auto = AutoUse::kTried;
   entry.least_length = least_length;
   // Factor on its least time; in 120 random pockets spirals took 1.17 to 2 times the least time.

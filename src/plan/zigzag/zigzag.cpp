@@ -276,6 +276,7 @@ StrategyEntry entry() {
   entry.description = "parallel lines to and fro, then along the walls";
   entry.make = make;
   entry.keeps_direction = false;
+  entry.loses_air_cuts = true;
   entry.in_auto = AutoUse::kTried;
   return entry;
 }
