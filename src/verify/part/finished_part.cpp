@@ -1,8 +1,8 @@
 #include "verify/part/finished_part.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
-#include <set>
 #include <tuple>
 
 #include "base/elementary.h"
@@ -59,20 +59,30 @@ bool goes_through(const Feature& feature, const std::optional<Stock>& stock) {
          feature.floor_z <= stock->z_bottom + kSamePlaceMm;
 }
 
-/// Walls without repeated vertical walls from another feature with the same outline: operations on one outline, such
+/// Removes repeated vertical walls from another feature with the same outline, all but the first; operations on one outline, such
 /// as the cut-outs of a panel, would else multiply every query by their number.
-std::vector<Wall> without_repeats(const std::vector<Wall>& walls) {
-  const auto key = [](const Wall& wall) {
+void remove_repeats(std::vector<Wall>& walls) {
+  const auto key = [&](std::uint32_t i) {
+    const Wall& wall = walls[i];
     const Edge& e = wall.edge;
     const Vec2 center = e.is_arc() ? e.center : Vec2{};
     return std::make_tuple(e.from.x, e.from.y, e.to.x, e.to.y, center.x, center.y, e.turn, wall.z_low,
                            wall.z_high);
   };
-  std::set<decltype(key(walls.front()))> known;
-  std::vector<Wall> kept;
-  for (const Wall& wall : walls)
-    if (wall.slope > 0 || known.insert(key(wall)).second) kept.push_back(wall);
-  return kept;
+  std::vector<std::uint32_t> order;
+  order.reserve(walls.size());
+  for (std::uint32_t i = 0; i < walls.size(); ++i)
+    if (walls[i].slope <= 0) order.push_back(i);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const auto of_a = key(a), of_b = key(b);
+    return of_a != of_b ? of_a < of_b : a < b;
+  });
+  std::vector<bool> is_repeat(walls.size(), false);
+  for (std::size_t k = 1; k < order.size(); ++k) is_repeat[order[k]] = key(order[k - 1]) == key(order[k]);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < walls.size(); ++i)
+    if (!is_repeat[i]) walls[kept++] = walls[i];
+  walls.resize(kept);
 }
 
 double distance_of(const Edge& path, const Edge& wall) {
@@ -262,6 +272,18 @@ std::vector<double> FinishedPart::cuts_of(const Edge& edge, int shape, const Edg
 }
 
 void FinishedPart::find_walls() {
+  add_walls();
+  // Before removal of repeats: thin slivers are between walls of different features.
+  Slivers parts = parted(walls_);
+  walls_ = std::move(parts.walls);
+  slivers_ = std::move(parts.slivers);
+  remove_repeats(walls_);
+  remove_repeats(slivers_);
+  tree_ = tree_of(walls_);
+  sliver_tree_ = tree_of(slivers_);
+}
+
+void FinishedPart::add_walls() {
   std::vector<Edge> edges;
   std::vector<int> owner;
   for (std::size_t i = 0; i < shapes_.size(); ++i) {
@@ -270,6 +292,7 @@ void FinishedPart::find_walls() {
     owner.insert(owner.end(), own.size(), static_cast<int>(i));
   }
   const EdgeTree all(std::move(edges));
+  walls_.reserve(owner.size());
   for (std::size_t k = 0; k < owner.size(); ++k) {
     const Edge& edge = all.edges()[k];
     const std::vector<double> cuts =
@@ -281,12 +304,6 @@ void FinishedPart::find_walls() {
       add_wall(cuts.size() == 2 ? edge : edge.part(cuts[i], cuts[i + 1]), shapes_[owner[k]], owner[k]);
     }
   }
-  // Before removal of repeats: thin slivers are between walls of different features.
-  const Slivers parts = parted(walls_);
-  walls_ = without_repeats(parts.walls);
-  slivers_ = without_repeats(parts.slivers);
-  tree_ = tree_of(walls_);
-  sliver_tree_ = tree_of(slivers_);
 }
 
 void FinishedPart::add_wall(const Edge& piece, const Shape& shape, int index) {
@@ -419,6 +436,7 @@ class SliverFinder {
 
 EdgeTree tree_of(const std::vector<Wall>& walls) {
   std::vector<Edge> edges;
+  edges.reserve(walls.size());
   for (const Wall& wall : walls) edges.push_back(wall.edge);
   return EdgeTree(std::move(edges));
 }
@@ -427,6 +445,7 @@ Slivers parted(const std::vector<Wall>& walls) {
   const EdgeTree tree = tree_of(walls);
   SliverFinder finder(walls, tree);
   Slivers parts;
+  parts.walls.reserve(walls.size());
   for (const Wall& wall : walls) finder.divide(wall, parts);
   return parts;
 }

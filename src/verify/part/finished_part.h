@@ -108,6 +108,7 @@ class FinishedPart {
   void add_feature(const Feature& feature, int index);
   void add_stock(const Stock& stock);
   void find_walls();
+  void add_walls();
   void add_wall(const Edge& piece, const Shape& shape, int index);
   std::vector<double> cuts_of(const Edge& edge, int shape, const EdgeTree& all,
                               const std::vector<int>& owner) const;
