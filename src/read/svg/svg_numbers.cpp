@@ -1,5 +1,6 @@
 #include "read/svg/svg_numbers.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <vector>
@@ -49,6 +50,9 @@ std::optional<double> transform_unit(std::string_view unit) {
   return px_per_unit(unit);
 }
 
+/// Powers of ten beyond are no double: only zeros are written with such.
+constexpr int kGreatestPower = 400;
+
 /// How `number`, which is a valid one, was written.
 Written written_as(std::string_view number) {
   const std::size_t exponent_at = number.find_first_of("eE");
@@ -57,6 +61,7 @@ Written written_as(std::string_view number) {
     std::string_view exponent = number.substr(exponent_at + 1);
     if (exponent.front() == '+') exponent.remove_prefix(1);
     std::from_chars(exponent.data(), exponent.data() + exponent.size(), last_power);
+    last_power = std::clamp(last_power, -kGreatestPower, kGreatestPower);
   }
   Written written;
   bool behind_point = false;
@@ -66,7 +71,7 @@ Written written_as(std::string_view number) {
     if (behind_point) --last_power;
     if (c != '0' || written.significant_digits > 0) ++written.significant_digits;
   }
-  written.place = std::pow(10.0, last_power);
+  written.place = base::pow(10.0, last_power);
   return written;
 }
 
