@@ -93,7 +93,7 @@ Toolpath with_feeds_by_load(Toolpath toolpath, const Part& part, const resolve::
     if (options.machine.max_feed && *options.machine.max_feed < cap) cap = *options.machine.max_feed;
     link::set_load_feeds(section, *tool,
                          {reference.rule, MmPerMin::of(reference.feed(-1, number)), cap, cutting->second,
-                          options.machine.acceleration, false, false},
+                          options.machine.acceleration, false},
                          material);
   }
   return toolpath;

@@ -19,8 +19,8 @@ struct LoadFeeds {
   MmPerMin cutting;         ///< level moves at this feed may go faster; all others only slower
   double acceleration = 0;  ///< mm/s2; stretches too short to accelerate keep the speed of their neighbours
   bool divides = true;      ///< moves may be divided at changes of the load
-  bool divides_leads =
-      true;  ///< likewise leads; false where the control's compensation begins and ends in them
+  /// Likewise leads; false where the control's compensation begins and ends in them.
+  bool divides_leads = true;
   /// mm; how far the digits of the program may move a path aside after its feed is set.
   double displaced = 0;
 };

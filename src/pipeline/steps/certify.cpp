@@ -278,6 +278,12 @@ Condition hand_tools_condition(const HandTools& tools) {
           0};
 }
 
+verify::LoadReference load_reference_of(const ResolvedPlan& plan) {
+  verify::LoadReference reference{*plan.feed_rule};
+  for (const ResolvedStep& step : plan.steps) reference.feed_of_step.push_back(step.feed);
+  return reference;
+}
+
 verify::VerifyOptions verify_options(const ResolvedPlan& plan) {
   verify::VerifyOptions verify;
   verify.tol = plan.tol;
@@ -290,10 +296,7 @@ verify::VerifyOptions verify_options(const ResolvedPlan& plan) {
   if (plan.earlier && !plan.earlier_state.control.spans.empty())
     verify.earlier_control = &plan.earlier_state.control;
   verify.material = plan.material;
-  if (plan.feed_rule) {
-    verify.reference.emplace().rule = *plan.feed_rule;
-    for (const ResolvedStep& step : plan.steps) verify.reference->feed_of_step.push_back(step.feed);
-  }
+  if (plan.feed_rule) verify.reference = load_reference_of(plan);
   return verify;
 }
 

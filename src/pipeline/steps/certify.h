@@ -72,6 +72,9 @@ std::optional<MotionPlanner> planner_of_control(const ResolvedPlan& plan);
 /// Keeps the address of plan.earlier.
 verify::VerifyOptions verify_options(const ResolvedPlan& plan);
 
+/// What feeds that follow the load are held against: the plan's rule, which it must have, and the feed of each step.
+verify::LoadReference load_reference_of(const ResolvedPlan& plan);
+
 /// Values stated for tools, by number.
 struct StatedOfTools {
   std::map<int, verify::ToolLimits> limits = {};   ///< limits of tools without a workingstep

@@ -12,6 +12,7 @@
 #include "geometry/box.h"
 #include "link/sections/load_feeds.h"
 #include "order/search/solve.h"
+#include "pipeline/steps/certify.h"
 #include "post/post.h"
 #include "stock/cutting_load.h"
 #include "stock/material.h"
@@ -315,8 +316,7 @@ void follow_load(Toolpath& toolpath, const ResolvedPlan& plan) {
   std::vector<double> radii;
   for (const Tool& tool : part.tools) radii.push_back(tool.radius() + 2 * displaced);
   stock::Material material = material_at_start(part, plan.earlier, radii);
-  verify::LoadReference reference{*plan.feed_rule};
-  for (const ResolvedStep& step : plan.steps) reference.feed_of_step.push_back(step.feed);
+  const verify::LoadReference reference = load_reference_of(plan);
   for (Section& section : toolpath.sections) {
     const Tool& tool = tool_of(part, part.workplan[static_cast<std::size_t>(section.workingstep)]);
     if (!mills_upright(tool)) {

@@ -41,11 +41,9 @@ std::size_t place_of(const Move& read) {
 }
 
 /// What lowers the feeds of one section.
-link::LoadFeeds lowered_feeds(const Section& section, const ResolvedPlan& plan) {
-  verify::LoadReference reference{*plan.feed_rule};
-  for (const ResolvedStep& step : plan.steps) reference.feed_of_step.push_back(step.feed);
+link::LoadFeeds lowered_feeds(const Section& section, const verify::LoadReference& reference) {
   link::LoadFeeds feeds;
-  feeds.rule = *plan.feed_rule;
+  feeds.rule = reference.rule;
   feeds.reference = MmPerMin::of(reference.feed(section.workingstep, section.tool_number));
   feeds.cap = MmPerMin::of(reference.cap(section.workingstep, section.tool_number));
   feeds.divides = false;
@@ -57,6 +55,7 @@ void lower(const std::vector<Move*>& moves, Toolpath read, const Part& part, con
   std::vector<double> radii;
   for (const Tool& tool : part.tools) radii.push_back(tool.radius());
   stock::Material material = material_at_start(part, plan.earlier, radii);
+  const verify::LoadReference reference = load_reference_of(plan);
   for (Section& section : read.sections) {
     const Tool* const tool = tool_numbered(part.tools, section.tool_number);
     if (tool == nullptr) continue;
@@ -70,7 +69,7 @@ void lower(const std::vector<Move*>& moves, Toolpath read, const Part& part, con
       places.push_back(place_of(move));
       move.feed = moves[places.back()]->feed;
     }
-    link::set_load_feeds(section, *tool, lowered_feeds(section, plan), material);
+    link::set_load_feeds(section, *tool, lowered_feeds(section, reference), material);
     std::size_t next = 0;
     for (const Move& move : section.moves) {
       if (is_rapid(move.kind)) continue;
