@@ -101,7 +101,7 @@ void measure(const Part& part, const Toolpath& toolpath, Sums& sums) {
 }
 
 void add(const Part& part, const std::string& name, const char* strategy, Sums& sums) {
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.strategy = strategy;
   options.threads = 1;
   ++sums.parts;
@@ -161,7 +161,7 @@ int main(int argc, char** argv) {
     }
     for (int i = 4; i < argc; ++i) {
       Sums one;
-      read::ReadOptions options;
+      ReadOptions options;
       Tool tool;
       tool.diameter = kDiameter;
       Part part = read::read_part(argv[i], options);

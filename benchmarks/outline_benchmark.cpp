@@ -33,7 +33,7 @@ Part wavy_part(int n) {
 
 void plan_and_certify(benchmark::State& state) {
   const Part part = wavy_part(static_cast<int>(state.range(0)));
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.tools = {resolve::parse_tool("endmill:6")};
   bool clean = true;
   for (auto _ : state) {

@@ -46,7 +46,7 @@ struct Run {
 
 /// In the process that plans.
 Verdict plan(const Part& part, const char* strategy, const std::string& name) {
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.strategy = strategy;
   options.threads = 1;
   try {

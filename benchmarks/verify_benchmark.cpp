@@ -30,11 +30,10 @@ Part wavy_part(int vertices) {
 }
 
 void judge_outline(benchmark::State& state) {
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.tools = {resolve::parse_tool("endmill:10")};
   options.strategy = "contour";
-  const pipeline::PlanResult result =
-      pipeline::plan_part(wavy_part(static_cast<int>(state.range(0))), options);
+  const PlanResult result = pipeline::plan_part(wavy_part(static_cast<int>(state.range(0))), options);
   std::size_t moves = 0;
   for (const Section& section : result.toolpath.sections) moves += section.moves.size();
   for (auto _ : state) {

@@ -20,12 +20,12 @@ Part pocket_of(const Region& region) {
 }
 
 void plan(benchmark::State& state, const Part& part, const char* tool, const char* strategy) {
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.tools = {resolve::parse_tool(tool)};
   options.strategy = strategy;
   std::size_t moves = 0;
   for (auto _ : state) {
-    const pipeline::PlanResult result = pipeline::plan_part(part, options);
+    const PlanResult result = pipeline::plan_part(part, options);
     if (!result.findings.faults.empty()) state.SkipWithError("not clean");
     moves = 0;
     for (const Section& section : result.toolpath.sections) moves += section.moves.size();

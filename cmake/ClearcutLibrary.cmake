@@ -66,6 +66,7 @@ function(clearcut_install_library)
   install(FILES ${PROJECT_BINARY_DIR}/clearcut.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
   install(CODE "
     set(roots \"${PROJECT_SOURCE_DIR}/include\")
+    set(values base geometry model options order)
     set(folders \"${PROJECT_SOURCE_DIR}/include;${PROJECT_SOURCE_DIR}/src;${PROJECT_BINARY_DIR}/generated\")
     set(destination \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}\")
     include(\"${PROJECT_SOURCE_DIR}/cmake/InstallHeaders.cmake\")" COMPONENT development)

@@ -1,7 +1,7 @@
 # What the verify module compiles (preset verify-module): the check of programs without planners, as WebAssembly for other programs' pages.
 # clearcut_verify_module_sources(): after the modules were added. Functions that nothing calls are left out by the linker; of what is left
 # out here nothing is called, so that the linker names whatever a later change needs.
-set(CLEARCUT_VERIFY_MODULE_WITHOUT plan order)  # modules of which only headers are included
+set(CLEARCUT_VERIFY_MODULE_WITHOUT plan order interface)  # modules of which no source is compiled
 # Per module: the sources that stay, as regular expressions of their paths.
 set(CLEARCUT_VERIFY_MODULE_read "/read/(common|drawing|gcode|outline|repair|tools)/" "/read/job/(machine|read_part)[a-z_]*\\.cpp$")
 set(CLEARCUT_VERIFY_MODULE_report "/report/(certificate|words)/" "/report/(result|table)\\.cpp$" "/sheet/sheet_facts\\.cpp$")

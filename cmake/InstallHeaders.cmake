@@ -1,6 +1,7 @@
 # Run by `cmake --install`. Copies the headers below each of `roots`/clearcut and every header of ours that these include, on and
 # on, to `destination`/clearcut, with #include "x/y.h" as <clearcut/x/y.h>. `folders` is where such names are looked for.
-# Fails for a header that is not found, and for one of another package: users would need that package's headers, too.
+# Fails for a header that is not found, for one of a stage (a folder that is not among `values`), whose names are not promised, and for one of
+# another package: users would need that package's headers, too.
 cmake_policy(VERSION 3.25)  # none is set in install scripts
 set(waiting "")
 foreach(root ${roots})
@@ -15,6 +16,10 @@ while(waiting)
     continue()
   endif()
   list(APPEND done ${header})
+  string(REGEX REPLACE "/.*" "" folder "${header}")
+  if(NOT folder STREQUAL clearcut AND NOT folder IN_LIST values)
+    message(FATAL_ERROR "${header} is included by an installed header and is no header of values")
+  endif()
   set(source "")
   foreach(folder ${folders})
     if(source STREQUAL "" AND EXISTS ${folder}/${header})

@@ -7,7 +7,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace clearcut;
-  read::ReadOptions options;
+  ReadOptions options;
   options.depth_if_missing = 1;
   try {
     read::read_dxf({reinterpret_cast<const char*>(data), size}, "fuzz.dxf", options);

@@ -41,7 +41,7 @@ bool is_small(const Toolpath& toolpath) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  resolve::PlanOptions options;
+  PlanOptions options;
   try {
     options.earlier = read::gcode::read_gcode({reinterpret_cast<const char*>(data), size}, "fuzz").toolpath;
   } catch (const InputError&) {

@@ -11,8 +11,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace clearcut;
   try {
     const Part part =
-        read::read_edges({reinterpret_cast<const char*>(data), size}, "fuzz.edges", read::ReadOptions{});
-    read::read_outline_json(post::write_outline_json(part), "again.json", read::ReadOptions{});
+        read::read_edges({reinterpret_cast<const char*>(data), size}, "fuzz.edges", ReadOptions{});
+    read::read_outline_json(post::write_outline_json(part), "again.json", ReadOptions{});
   } catch (const InputError&) {
   }
   return 0;

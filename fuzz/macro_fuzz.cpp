@@ -8,9 +8,8 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace clearcut;
   if (size == 0) return 0;
-  constexpr read::gcode::Dialect kDialects[] = {read::gcode::Dialect::kLinuxCnc, read::gcode::Dialect::kFanuc,
-                                                read::gcode::Dialect::kHaas, read::gcode::Dialect::kMach3,
-                                                read::gcode::Dialect::kSiemens};
+  constexpr Dialect kDialects[] = {Dialect::kLinuxCnc, Dialect::kFanuc, Dialect::kHaas, Dialect::kMach3,
+                                   Dialect::kSiemens};
   std::string_view text(reinterpret_cast<const char*>(data), size);
   read::gcode::ReadControllerOptions options;
   options.dialect = kDialects[data[0] % std::size(kDialects)];

@@ -9,9 +9,9 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace clearcut;
   try {
-    const Part part = read::read_outline_json({reinterpret_cast<const char*>(data), size}, "fuzz.json",
-                                              read::ReadOptions{});
-    read::read_outline_json(post::write_outline_json(part), "again.json", read::ReadOptions{});
+    const Part part =
+        read::read_outline_json({reinterpret_cast<const char*>(data), size}, "fuzz.json", ReadOptions{});
+    read::read_outline_json(post::write_outline_json(part), "again.json", ReadOptions{});
   } catch (const InputError&) {
   }
   return 0;

@@ -11,7 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const char* name :
        {"/nowhere/t.toml", "/nowhere/t.tbl", "/nowhere/t.json", "/nowhere/t.fctb", "/nowhere/t.fctl"}) {
     try {
-      read::read_tool_library_text(text, name, read::ToolOptions{});
+      read::read_tool_library_text(text, name, ToolOptions{});
     } catch (const InputError&) {
     }
   }

@@ -16,7 +16,7 @@ namespace {
 
 const std::string kOurs = "contour";
 
-MethodOutcome outcome_of(const std::string& method, const Part& part, resolve::PlanOptions options) {
+MethodOutcome outcome_of(const std::string& method, const Part& part, PlanOptions options) {
   options.strategy = method;
   // The causes that are told apart (plan/contour/ring_band.h) are those of contours whose reflex corners are round.
   options.published.sharp_reflex = options.published.sharp_reflex.value_or(false);
@@ -78,7 +78,7 @@ std::vector<std::string> row_of(const std::string& method, const MethodStudy& st
 
 }  // namespace
 
-MethodStudy study_methods(int count, std::uint64_t first_seed, const resolve::PlanOptions& options,
+MethodStudy study_methods(int count, std::uint64_t first_seed, const PlanOptions& options,
                           const std::function<void(const StudyCase&)>& done) {
   MethodStudy study;
   for (int i = 0; i < count; ++i) {
@@ -94,15 +94,15 @@ MethodStudy study_methods(int count, std::uint64_t first_seed, const resolve::Pl
   return study;
 }
 
-report::TextTable study_table(const MethodStudy& study) {
-  report::TextTable table;
+TextTable study_table(const MethodStudy& study) {
+  TextTable table;
   table.title =
       fmt::format("{} random pockets: convex, acute, concave, with arcs, with islands", study.cases.size());
-  table.columns = {{"method", report::Align::kLeft},
+  table.columns = {{"method", Align::kLeft},
                    {"clean"},
                    {"median time x ours"},
                    {"faster than ours"},
-                   {"left, by cause", report::Align::kLeft}};
+                   {"left, by cause", Align::kLeft}};
   for (const auto& method : pipeline::contour_method_names()) table.add(row_of(method, study));
   table.notes.push_back(
       "times are kinematic, over pockets that both leave clean; faster: by more than 0.1 %");

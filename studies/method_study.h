@@ -39,11 +39,11 @@ struct MethodStudy {
 
 /// Plans and certifies `count` random pockets from `first_seed` on by every contour method. `done` is called after
 /// each. Cost about half a second a pocket.
-MethodStudy study_methods(int count, std::uint64_t first_seed, const resolve::PlanOptions& options,
+MethodStudy study_methods(int count, std::uint64_t first_seed, const PlanOptions& options,
                           const std::function<void(const StudyCase&)>& done);
 
 /// One row a method: how often clean, time against ours (median over pockets where both are clean), how often faster than
 /// ours, and the causes of what it left.
-report::TextTable study_table(const MethodStudy& study);
+TextTable study_table(const MethodStudy& study);
 
 }  // namespace clearcut::studies

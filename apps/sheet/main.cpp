@@ -17,8 +17,7 @@ namespace {
 /// The pages, or after an 'E' in one line why there are none.
 std::string answer(const std::string& text) {
   try {
-    return clearcut::sheet::pages_of(
-        nlohmann::json::parse(text).get<std::vector<clearcut::report::SetupSheet>>());
+    return clearcut::sheet::pages_of(nlohmann::json::parse(text).get<std::vector<clearcut::SetupSheet>>());
   } catch (const std::exception& error) {
     return std::string("E") + error.what();
   }

@@ -17,9 +17,9 @@ constexpr std::uint32_t kHeadRule = 0x66727f, kRowRule = 0xd5dbe1;
 
 }  // namespace
 
-Table::Table(Paper& paper, const report::SheetTable& table, double x, double width, double size)
+Table::Table(Paper& paper, const SheetTable& table, double x, double width, double size)
     : paper_(paper), table_(table), x_(x), size_(size) {
-  for (const report::SheetColumn& column : table.columns) names_.push_back(column.name);
+  for (const SheetColumn& column : table.columns) names_.push_back(column.name);
   share(width);
 }
 
@@ -115,8 +115,6 @@ void Table::draw_row(std::size_t row, double y) {
 }
 
 namespace {
-
-using report::SetupSheet;
 
 /// Points.
 constexpr double kMargin = 34, kLeft = kMargin, kTop = kMargin;
@@ -218,7 +216,7 @@ class Layout {
     y_ += look_.size * 1.4;
   }
 
-  void table(const report::SheetTable& content) {
+  void table(const SheetTable& content) {
     Table table(paper_, content, kLeft, kWidth, look_.size);
     const double head = table.height_of_head();
     make_room(height_of_heading() + head + (content.rows.empty() ? 0 : table.height_of_row(0)));
@@ -298,7 +296,7 @@ void draw_sheet(Paper& paper, const SetupSheet& sheet) {
 
 }  // namespace
 
-std::string pages_of(const std::vector<report::SetupSheet>& sheets) {
+std::string pages_of(const std::vector<SetupSheet>& sheets) {
   if (!has_fonts()) throw std::runtime_error("no font is installed for its text; install fonts-dejavu-core");
   Paper paper("Set-up: " + sheets.at(0).part);
   for (const SetupSheet& sheet : sheets) draw_sheet(paper, sheet);

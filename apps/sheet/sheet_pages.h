@@ -13,7 +13,7 @@ namespace clearcut::sheet {
 class Table {
  public:
   /// `size`: size of its letters. Numbers and their units stay on one line; words are divided if necessary.
-  Table(Paper& paper, const report::SheetTable& table, double x, double width, double size);
+  Table(Paper& paper, const SheetTable& table, double x, double width, double size);
 
   double height_of_head() { return height(names_, true); }
   double height_of_row(std::size_t row) { return height(table_.rows[row], false); }
@@ -36,7 +36,7 @@ class Table {
   void draw(const std::vector<std::string>& cells, bool is_head, double y);
 
   Paper& paper_;
-  const report::SheetTable& table_;
+  const SheetTable& table_;
   std::vector<std::string> names_;
   std::vector<double> widths_;
   double x_, size_;
@@ -44,6 +44,6 @@ class Table {
 
 /// A PDF with each sheet on one page if it fits, each beginning on its own page. Throws std::runtime_error with one
 /// line if no font is installed, or a picture cannot be drawn.
-std::string pages_of(const std::vector<report::SetupSheet>& sheets);
+std::string pages_of(const std::vector<SetupSheet>& sheets);
 
 }  // namespace clearcut::sheet

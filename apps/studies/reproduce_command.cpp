@@ -35,8 +35,7 @@ struct ReproduceCommand {
 
 TextTable list_of_tables() {
   TextTable table;
-  table.columns = {
-      {"name", report::Align::kLeft}, {"in the texts", report::Align::kLeft}, {"seconds of a core"}};
+  table.columns = {{"name", Align::kLeft}, {"in the texts", Align::kLeft}, {"seconds of a core"}};
   for (const auto& one : studies::reproducible_tables())
     table.add({one.name + (one.is_long ? " *" : ""), one.place, fmt::format("{:g}", one.cost_s)});
   table.notes.emplace_back("*: runs by name or with --all");

@@ -13,8 +13,8 @@
 //           broken promise of ours. What a plan leaves undone is in its Findings and Diagnostics, never thrown.
 // Threads   every function may be called from several threads at once. There is no global state. Nothing is printed, nothing
 //           exits; files are written by write_files() alone.
-// Promise   what these headers bring into the namespace `clearcut`. Namespaces within it (clearcut::plan, clearcut::read, ...)
-//           are the stages behind them and may change with every version.
+// Promise   the names of these headers in the namespace `clearcut`, and the values that they take and give. No stage stands behind an
+//           include: namespaces of stages (clearcut::plan, clearcut::read, ...) are not seen by users and may change.
 #pragma once
 
 #include "clearcut/copies.h"

@@ -4,18 +4,13 @@
 
 #include "clearcut/plan.h"
 #include "model/results/copies_made.h"
-#include "pipeline/copies.h"
+#include "options/copies_options.h"
+#include "options/sheet_of_copies.h"
 
 namespace clearcut {
 
-using model::CopiesMade;
-using model::KindMade;
-using model::PlaceMade;
-using options::CopiesOptions;
-using options::nested_file;
-using options::NestedFile;
-using options::NestedPart;
-using pipeline::sheet_of_copies;
-using pipeline::SheetOfCopies;
+/// The sheet of the copies that options.copies asks for as a part, for checking programs of it: each feature and step as often as there
+/// are parts. On a sheet that is filled, clamps are in its coordinates; no part comes nearer to one than the gap.
+SheetOfCopies sheet_of_copies(const Part& part, const PlanOptions& options);
 
 }  // namespace clearcut

@@ -6,17 +6,20 @@
 //     options.strategies = &table;
 #pragma once
 
-#include "model/layer.h"
+#include "clearcut/plan.h"
+#include "model/clearing_area.h"
 #include "model/options/strategy_entry.h"
-#include "plan/common/clearing_area.h"
-#include "plan/common/layers.h"
 
 namespace clearcut {
 
-using plan::clearing_area;
-using plan::ClearingArea;
-using plan::ClearingComponent;
-using plan::closed_all_round;
-using plan::once_per_outline;
+/// Splits a layer into wall passes and rest.
+ClearingArea clearing_area(const Layer& layer, const Tolerances& tol);
+
+/// Whether the layer is a pocket closed all round. The target is inside `allowed`, so the two are compared by area.
+bool closed_all_round(const Layer& layer);
+
+/// A strategy that plans each outline once: a layer that differs from the previous one only in height gets the same
+/// passes at its own depth.
+Strategy once_per_outline(Strategy plan);
 
 }  // namespace clearcut

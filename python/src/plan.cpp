@@ -24,14 +24,14 @@ struct Check : Checked<CheckResult> {};
 
 /// The table of all strategies, with what it was written from.
 struct Comparison : TextTable {
-  std::vector<pipeline::StrategyRun> runs;
+  std::vector<StrategyRun> runs;
 };
 
 /// A list of one figure of every run; None where the strategy cannot plan the part.
 template <class Get>
 py::list column_of(const Comparison& comparison, Get get) {
   py::list column;
-  for (const pipeline::StrategyRun& run : comparison.runs)
+  for (const StrategyRun& run : comparison.runs)
     column.append(run.figures ? py::cast(get(*run.figures)) : py::none());
   return column;
 }
@@ -40,7 +40,7 @@ py::list column_of(const Comparison& comparison, Get get) {
 py::dict numbers_of(const Comparison& comparison) {
   py::dict out;
   py::list strategies, refusals;
-  for (const pipeline::StrategyRun& run : comparison.runs) {
+  for (const StrategyRun& run : comparison.runs) {
     strategies.append(run.strategy);
     refusals.append(run.refusal);
   }
@@ -131,9 +131,9 @@ Plan plan(const GivenPart& part, AskedOptions options, const std::vector<OwnStra
   return plan;
 }
 
-std::optional<read::gcode::Dialect> dialect_of(const std::optional<std::string>& name) {
+std::optional<Dialect> dialect_of(const std::optional<std::string>& name) {
   if (!name) return std::nullopt;
-  const auto dialect = read::gcode::dialect_named(*name);
+  const auto dialect = dialect_named(*name);
   if (!dialect) throw InputError("--dialect", "'" + *name + "' is unknown; use one of " + controllers_text());
   return dialect;
 }
@@ -334,7 +334,7 @@ void add_tables(py::module_& module) {
       .def_property_readonly(
           "fastest_clean",
           [](const Comparison& comparison) -> std::optional<std::string> {
-            const auto* best = pipeline::fastest_clean(comparison.runs);
+            const auto* best = fastest_clean(comparison.runs);
             return best ? std::optional(best->strategy) : std::nullopt;
           },
           "Name of the fastest strategy that is certified clean; None where none is.");
@@ -347,8 +347,8 @@ void add_tables(py::module_& module) {
         return interruptible(py::none(), [part = part.part, options, table](std::stop_token stop) {
           PlanOptions own = options;
           own.cancel = std::move(stop);
-          auto runs = pipeline::run_strategies(part, own);
-          Comparison comparison{pipeline::strategy_table(part, own, runs), {}};
+          auto runs = run_strategies(part, own);
+          Comparison comparison{strategy_table(part, own, runs), {}};
           comparison.runs = std::move(runs);
           return comparison;
         });

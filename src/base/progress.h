@@ -63,4 +63,7 @@ class ProgressMeter {
   std::size_t told_ = 0;  ///< pieces of the stage done at the last call of the callback
 };
 
+/// Called before each of several plans and after the last: how many are done, of how many.
+using CountCallback = std::function<void(std::size_t done, std::size_t of)>;
+
 }  // namespace clearcut::inline base

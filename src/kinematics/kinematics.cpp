@@ -159,14 +159,6 @@ void add(PublishedTime& time, const Move& move) {
 
 }  // namespace
 
-double published_time(double cutting_s, int discontinuities) {
-  return cutting_s + 2 * (1 + discontinuities) * kPublishedStop;
-}
-
-double PublishedTime::seconds_at(MmPerMin feed) const {
-  return published_time(60 * length_mm / feed.mm_per_min(), discontinuities);
-}
-
 PublishedTime published_time(const Toolpath& toolpath) {
   PublishedTime time;
   for (const Section& section : toolpath.sections) {

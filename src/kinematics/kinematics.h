@@ -8,6 +8,7 @@
 #include "base/units.h"
 #include "model/machine.h"
 #include "model/move.h"
+#include "model/results/published_time.h"
 
 namespace clearcut::kinematics {
 
@@ -29,34 +30,7 @@ double travel_time(double length, double speed, double acceleration);
 /// Length / programmed speed, as most programs estimate it.
 Seconds naive_time(const Move& move, const Machine& machine);
 
-// Milling time by equation 9 of CPO-rho.
-//
-//   paper   here                            unit     meaning
-//   L_ij    PublishedTime::length_mm        mm       segments of the contours and the passages between them
-//   V_f     slowest, fastest                mm/min   at which they are cut
-//   nd      PublishedTime::discontinuities           changes of direction between them
-//   tau     kPublishedStop                  s        starting acceleration and final deceleration
-
-/// tau, s.
-inline constexpr double kPublishedStop = 0.177;
-
-/// Eq. 9: T = sum L / V_f + 2 (1 + nd) tau, s; `cutting_s` is the sum.
-double published_time(double cutting_s, int discontinuities);
-
-/// Eq. 9 of a toolpath, and what it is made of.
-struct PublishedTime {
-  double length_mm = 0;     ///< of level feed moves
-  double cutting_s = 0;     ///< these moves, each at its own feed
-  int discontinuities = 0;  ///< changes of direction above 0.1 degree between two of them that meet
-  MmPerMin slowest;         ///< of their feeds
-  MmPerMin fastest;
-
-  double seconds() const { return published_time(cutting_s, discontinuities); }
-  /// The same segments at one feed.
-  double seconds_at(MmPerMin feed) const;
-};
-
-/// Level feed moves count: contours, passages between them and links at depth, the segments of the result file.
+/// Equation 9 of CPO-rho for a toolpath. Level feed moves count: contours, passages between them and links at depth, the segments of the result file.
 /// Plunges, ramps, retracts and rapids do not; feed moves without a feed have no time.
 PublishedTime published_time(const Toolpath& toolpath);
 

@@ -122,8 +122,8 @@ Part sample() {
                circle("DRILL_D3", {32, 9}, 2));
 }
 
-resolve::PlanOptions options_of_sample() {
-  resolve::PlanOptions options = with({"endmill:6:T1", "drill:4:T2"});
+PlanOptions options_of_sample() {
+  PlanOptions options = with({"endmill:6:T1", "drill:4:T2"});
   options.engagement_deg = 170;
   options.accept = {"out-of-reach"};
   return options;
@@ -139,7 +139,7 @@ CertificateBasis basis(const char* command) {
 
 /// The certificates of a plan and of the check of its program.
 std::vector<Json> true_certificates() {
-  const resolve::PlanOptions options = options_of_sample();
+  const PlanOptions options = options_of_sample();
   const PlanResult planned = plan_part(sample(), options);
   const CheckResult checked = check_program(sample(), planned.program, "sample.ngc", options);
   return {Json::parse(write_certificate(planned, options, basis("plan"))),

@@ -134,7 +134,7 @@ TEST(Chamfering, WhatCannotBeBrokenIsRefused) {
 
 TEST(Chamfering, AnOptionBreaksTheEdgesOfWhatIsMilledBesides) {
   const std::string pocket = box("POCKET_D4", 12, 12, 48, 32);
-  read::ReadOptions options;
+  ReadOptions options;
   options.layer_rules = {read::rule_of_option("chamfer_d0.3:POCKET_D4", "--op")};
   const Part part = read::read_part_text(drawing(pocket), "plate.dxf", options);
   ASSERT_EQ(part.features.size(), 2u);

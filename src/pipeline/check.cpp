@@ -36,7 +36,7 @@ namespace {
 
 /// Of the given tools, those called by the program or the earlier one: a library may contain many more. All tools if
 /// the program calls unknown ones.
-resolve::PlanOptions with_tools_of(const Toolpath& toolpath, resolve::PlanOptions options) {
+PlanOptions with_tools_of(const Toolpath& toolpath, PlanOptions options) {
   std::set<int> called;
   for (const Section& section : toolpath.sections) called.insert(section.tool_number);
   // The earlier program may have had its own tools; a number missing among the given tools means nothing for these.
@@ -59,7 +59,7 @@ resolve::PlanOptions with_tools_of(const Toolpath& toolpath, resolve::PlanOption
 
 /// One unnumbered tool given for a program that uses one tool: they are the same tool, with any number in the
 /// program.
-resolve::PlanOptions numbered_by(const Toolpath& toolpath, resolve::PlanOptions options) {
+PlanOptions numbered_by(const Toolpath& toolpath, PlanOptions options) {
   if (options.tools.size() != 1 || options.tools.front().number != 0 || toolpath.sections.empty())
     return options;
   const int number = toolpath.sections.front().tool_number;
@@ -119,7 +119,7 @@ bool leaves_a_feature_out(const Part& part, const std::vector<Tool>& tools, cons
 }
 
 /// Whether --rest asks one of `tools` to mill what wider ones leave, and its flutes are too short: the plan says so.
-bool leaves_a_rest_out(const Part& part, const resolve::PlanOptions& asked, const Tolerances& tol) {
+bool leaves_a_rest_out(const Part& part, const PlanOptions& asked, const Tolerances& tol) {
   if (!asked.shop.rest.value_or(false)) return false;
   return std::any_of(part.workplan.begin(), part.workplan.end(), [&](const Workingstep& step) {
     const Feature& feature = feature_of(part, step);
@@ -158,11 +158,11 @@ std::vector<Condition> engraved_by_mills(const ResolvedPlan& plan, const std::ve
 }
 
 /// Decides every value of a question with other options.
-using Resolver = std::function<ResolvedPlan(const resolve::PlanOptions&)>;
+using Resolver = std::function<ResolvedPlan(const PlanOptions&)>;
 
 /// Whether the question wants all that the given tools reach: with --rest, and where what is out of reach is accepted, which no given
 /// tool must then reach.
-bool wants_all_in_reach(const resolve::PlanOptions& asked) {
+bool wants_all_in_reach(const PlanOptions& asked) {
   const std::vector<std::string>& accepted = asked.accept;
   return asked.shop.rest.value_or(false) ||
          std::find(accepted.begin(), accepted.end(), "out-of-reach") != accepted.end();
@@ -176,7 +176,7 @@ bool has_rest_of_others(const Part& part, const std::vector<Tool>& called) {
 }
 
 /// Nothing where the part cannot be made.
-std::optional<ResolvedPlan> resolved_if_made(const resolve::PlanOptions& asked, const Resolver& resolved) {
+std::optional<ResolvedPlan> resolved_if_made(const PlanOptions& asked, const Resolver& resolved) {
   try {
     return resolved(asked);
   } catch (const InputError&) {
@@ -186,8 +186,8 @@ std::optional<ResolvedPlan> resolved_if_made(const resolve::PlanOptions& asked, 
 
 /// The question with the tools called by the program; with all given tools if the part, or one of its features, cannot be made with
 /// only the called ones, because the program leaves work out. `asked` becomes the resolved options.
-ResolvedPlan resolved_for(const Toolpath& toolpath, resolve::PlanOptions& asked, const Resolver& resolved) {
-  resolve::PlanOptions called = with_tools_of(toolpath, asked);
+ResolvedPlan resolved_for(const Toolpath& toolpath, PlanOptions& asked, const Resolver& resolved) {
+  PlanOptions called = with_tools_of(toolpath, asked);
   if (called.tools.size() == asked.tools.size()) return resolved(asked);
   std::optional<ResolvedPlan> plan = resolved_if_made(called, resolved);
   if (!plan || leaves_a_feature_out(plan->part, asked.tools, plan->tol) ||
@@ -205,7 +205,7 @@ ResolvedPlan resolved_for(const Toolpath& toolpath, resolve::PlanOptions& asked,
 /// in `part`; values requested for everything take precedence over both. Clearcut's own defaults are not binding, and
 /// tools that make their hole at once may go as deep as the hole. Returns the values stated for the step.
 CuttingData keep_stated_limits(Workingstep& step, Operation stated, const Part& prepared, const Part& part,
-                               const resolve::PlanOptions& options) {
+                               const PlanOptions& options) {
   if (!options.tools.empty()) {
     stated.tool = step.operation.tool;
     resolve::take_tool_cutting(stated, options);
@@ -226,7 +226,7 @@ CuttingData keep_stated_limits(Workingstep& step, Operation stated, const Part& 
 }
 
 /// Values stated for the tool of a derived step, for example the drilling before a thread.
-CuttingData stated_for_tool(int number, const Part& part, const resolve::PlanOptions& options) {
+CuttingData stated_for_tool(int number, const Part& part, const PlanOptions& options) {
   const std::vector<Tool>& tools = options.tools.empty() ? part.tools : options.tools;
   const Tool* const tool = tool_numbered(tools, number);
   if (!tool) return {};
@@ -242,7 +242,7 @@ double mm_per_min(const std::optional<MmPerMin>& feed) {
 
 /// Adds one more operation of a tool. Values requested for everything take precedence over its stated values.
 void add_drive(std::map<int, verify::StatedDrive>& drives, int tool, const CuttingData& stated,
-               const resolve::PlanOptions& options) {
+               const PlanOptions& options) {
   const CuttingData& asked = options.cutting;
   const double feed = mm_per_min(asked.feed ? asked.feed : stated.feed);
   const double most = std::max({feed, mm_per_min(asked.plunge_feed ? asked.plunge_feed : stated.plunge_feed),
@@ -287,7 +287,7 @@ bool follows_from(std::string_view name, std::string_view of) {
 /// A program of another CAM is checked against the stated stepdown and plunge feed, not against Clearcut's defaults.
 /// Returns the stated cutting data of the tools.
 std::map<int, verify::StatedDrive> keep_stated_limits(Part& prepared, const Part& part,
-                                                      const resolve::PlanOptions& options) {
+                                                      const PlanOptions& options) {
   std::map<int, verify::StatedDrive> drives;
   for (std::size_t i = 0; i < prepared.workplan.size(); ++i) {
     // Tabs, T-slots, narrower mills and finishing put steps of their own in between, which are named after those above or after them.
@@ -309,7 +309,7 @@ std::map<int, verify::StatedDrive> keep_stated_limits(Part& prepared, const Part
 
 /// Values stated for tools without a workingstep: a program may use them nevertheless.
 /// Adds them to `all`.
-void add_other_tools(const Part& prepared, const resolve::PlanOptions& options, StatedOfTools& all) {
+void add_other_tools(const Part& prepared, const PlanOptions& options, StatedOfTools& all) {
   auto& limits = all.limits;
   const std::size_t stating = std::min(options.tool_cutting.size(), prepared.tools.size());
   for (std::size_t i = 0; i < (prepared.is_shape_stated ? stating : prepared.tools.size()); ++i) {
@@ -330,7 +330,7 @@ void add_other_tools(const Part& prepared, const resolve::PlanOptions& options, 
 struct ProgramText {
   const std::string& text;
   const std::string& name;
-  std::optional<read::gcode::Dialect> dialect;
+  std::optional<Dialect> dialect;
 
   /// Whether the control has no words for tools: they are loaded by hand.
   bool names_no_tools() const { return dialect && read::gcode::rules_of(*dialect).names_no_tools; }
@@ -414,9 +414,8 @@ HandTools as_worked(const Part& part) {
 }
 
 /// The program as its control reads it, limited to heights up to `safe_z`, mm.
-read::gcode::Program read_program(const ProgramText& program, const resolve::PlanOptions& options,
-                                  const std::vector<Tool>& tools, double safe_z, HandTools usual_by_hand,
-                                  double wear = 0) {
+Program read_program(const ProgramText& program, const PlanOptions& options, const std::vector<Tool>& tools,
+                     double safe_z, HandTools usual_by_hand, double wear = 0) {
   read::gcode::ReadControllerOptions reading = reading_of(options, tools, program.name);
   reading.dialect = program.dialect;
   reading.safe_z = safe_z;
@@ -456,7 +455,7 @@ void take_first(ResolvedPlan& plan, const FirstPart* first) {
 }
 
 /// Of one part, or of a sheet as one; `resolve_part` decides its values.
-CheckResult check_resolved(const Part& part, const ProgramText& text, const resolve::PlanOptions& options,
+CheckResult check_resolved(const Part& part, const ProgramText& text, const PlanOptions& options,
                            const std::map<int, MmPerMin>& reference_feeds, const FirstPart* first,
                            const Resolver& resolve_part) {
   std::optional<ResolvedPlan> resolved;
@@ -466,7 +465,7 @@ CheckResult check_resolved(const Part& part, const ProgramText& text, const reso
   auto read = read_program(text, options, tools, part.top_z(), by_hand);
   require_tools(!options.tools.empty() || !part.tools.empty(), read.toolpath, text);
   CheckResult result;
-  resolve::PlanOptions asked = numbered_by(read.toolpath, options);
+  PlanOptions asked = numbered_by(read.toolpath, options);
   const std::vector<Tool> asked_tools = asked.tools;
   if (!resolved) resolved = resolved_for(called_by(read.toolpath, first), asked, resolve_part);
   take_first(*resolved, first);
@@ -505,10 +504,10 @@ CheckResult check_resolved(const Part& part, const ProgramText& text, const reso
 }
 
 /// The sheet of copies that the options ask for.
-CheckResult check_sheet(const Part& part, const ProgramText& text, const resolve::PlanOptions& options,
+CheckResult check_sheet(const Part& part, const ProgramText& text, const PlanOptions& options,
                         const std::map<int, MmPerMin>& reference_feeds, const FirstPart* first) {
   SheetOfCopies sheet = sheet_of_copies(part, options);
-  resolve::PlanOptions of_sheet = options;
+  PlanOptions of_sheet = options;
   of_sheet.copies = {};
   of_sheet.nested.clear();
   of_sheet.tool_cutting = sheet.tool_cutting;
@@ -520,17 +519,17 @@ CheckResult check_sheet(const Part& part, const ProgramText& text, const resolve
 }
 
 /// `reference_feeds`: as check_program(). `first`: null where nothing of the same program has run before.
-CheckResult check_text(const Part& part, const ProgramText& text, const resolve::PlanOptions& options,
+CheckResult check_text(const Part& part, const ProgramText& text, const PlanOptions& options,
                        const std::map<int, MmPerMin>& reference_feeds, const FirstPart* first) {
   require_copies(options.copies);
   if (options.copies.any()) return check_sheet(part, text, options, reference_feeds, first);
-  return check_resolved(part, text, options, reference_feeds, first, [&](const resolve::PlanOptions& asked) {
+  return check_resolved(part, text, options, reference_feeds, first, [&](const PlanOptions& asked) {
     return resolve::resolve(part, asked, strategies_of(options));
   });
 }
 
 CheckResult check_text_alone(const std::optional<Stock>& stock, const ProgramText& text,
-                             const resolve::PlanOptions& options, std::optional<double> top,
+                             const PlanOptions& options, std::optional<double> top,
                              const std::map<int, MmPerMin>& reference_feeds, const FirstPart* first) {
   const std::string& program_name = text.name;
   require_copies(options.copies);
@@ -539,7 +538,7 @@ CheckResult check_text_alone(const std::optional<Stock>& stock, const ProgramTex
                            text.names_no_tools() ? as_given(options.tools) : HandTools{});
   require_moves(read.toolpath, program_name);
   require_tools(!options.tools.empty(), read.toolpath, text);
-  const resolve::PlanOptions asked = numbered_by(read.toolpath, options);
+  const PlanOptions asked = numbered_by(read.toolpath, options);
   ResolvedPlan plan = resolve::resolve_without_part(asked);
   take_first(plan, first);
   CheckResult result;
@@ -568,27 +567,27 @@ CheckResult check_text_alone(const std::optional<Stock>& stock, const ProgramTex
 }  // namespace
 
 CheckResult check_program(const Part& part, const std::string& program, const std::string& program_name,
-                          const resolve::PlanOptions& options, std::optional<read::gcode::Dialect> dialect,
+                          const PlanOptions& options, std::optional<Dialect> dialect,
                           const std::map<int, MmPerMin>& reference_feeds) {
   return check_text(part, {program, program_name, dialect}, options, reference_feeds, nullptr);
 }
 
 CheckResult check_program_alone(const std::optional<Stock>& stock, const std::string& program,
-                                const std::string& program_name, const resolve::PlanOptions& options,
-                                std::optional<read::gcode::Dialect> dialect, std::optional<double> top,
+                                const std::string& program_name, const PlanOptions& options,
+                                std::optional<Dialect> dialect, std::optional<double> top,
                                 const std::map<int, MmPerMin>& reference_feeds) {
   return check_text_alone(stock, {program, program_name, dialect}, options, top, reference_feeds, nullptr);
 }
 
 CheckResult check_rest(const Part& part, const FirstPart& first, const std::string& program,
-                       const std::string& program_name, const resolve::PlanOptions& options,
-                       std::optional<read::gcode::Dialect> dialect) {
+                       const std::string& program_name, const PlanOptions& options,
+                       std::optional<Dialect> dialect) {
   return check_text(part, {program, program_name, dialect}, options, {}, &first);
 }
 
 CheckResult check_rest_alone(const Stock& stock, const FirstPart& first, const std::string& program,
-                             const std::string& program_name, const resolve::PlanOptions& options,
-                             std::optional<read::gcode::Dialect> dialect) {
+                             const std::string& program_name, const PlanOptions& options,
+                             std::optional<Dialect> dialect) {
   return check_text_alone(stock, {program, program_name, dialect}, options, {}, {}, &first);
 }
 

@@ -8,6 +8,7 @@
 #include "model/control.h"
 #include "model/move.h"
 #include "model/part.h"
+#include "model/results/check_result.h"
 #include "model/results/copies_made.h"
 #include "model/results/findings.h"
 #include "model/results/margin.h"
@@ -16,29 +17,10 @@
 
 namespace clearcut::pipeline {
 
-/// A program as the control reads it with D words at one end of the range of wear, and its part with cutters as much off their size.
-struct WornCuts {
-  Part part;
-  Toolpath toolpath;
-};
-
-/// Checks any program text against a part. `tools` replace the part's, as in PlanOptions.
-struct CheckResult {
-  Part part;
-  Toolpath toolpath;
-  Findings findings;
-  read::gcode::Dialect dialect = read::gcode::Dialect::kLinuxCnc;  ///< dialect in which the program was read
-  ControlTable control;              ///< state of the control at each move of `toolpath`
-  std::optional<Toolpath> earlier;   ///< earlier cuts
-  std::optional<Margin> margin;      ///< absent: not asked
-  std::optional<CopiesMade> copies;  ///< absent: one part
-  std::vector<WornCuts> worn;  ///< both ends of the range of wear; empty: the control compensates for none
-};
 /// `dialect`: the control that will run the program; absent: recognised. `reference_feeds`: feeds at the reference by
 /// tool number, used if feeds follow the load and no option states one.
 CheckResult check_program(const Part& part, const std::string& program, const std::string& program_name,
-                          const resolve::PlanOptions& options,
-                          std::optional<read::gcode::Dialect> dialect = {},
+                          const PlanOptions& options, std::optional<Dialect> dialect = {},
                           const std::map<int, MmPerMin>& reference_feeds = {});
 
 /// Checks any program text as far as possible without a part: rapids, plunges, depths and engagement in `stock`,
@@ -48,9 +30,8 @@ CheckResult check_program(const Part& part, const std::string& program, const st
 /// accepts, and if nothing moves, no tool is given, no cut is below `top` without a stated stock, or some cut is
 /// above Z 0 without a stated top.
 CheckResult check_program_alone(const std::optional<Stock>& stock, const std::string& program,
-                                const std::string& program_name, const resolve::PlanOptions& options,
-                                std::optional<read::gcode::Dialect> dialect = {},
-                                std::optional<double> top = {},
+                                const std::string& program_name, const PlanOptions& options,
+                                std::optional<Dialect> dialect = {}, std::optional<double> top = {},
                                 const std::map<int, MmPerMin>& reference_feeds = {});
 
 /// The first part of the same program, as it ran.
@@ -62,10 +43,10 @@ struct FirstPart {
 /// As check_program() and check_program_alone(), where `first` has run before. Unlike a program before (PlanOptions::earlier) it takes
 /// no tool from what is still to be done.
 CheckResult check_rest(const Part& part, const FirstPart& first, const std::string& program,
-                       const std::string& program_name, const resolve::PlanOptions& options,
-                       std::optional<read::gcode::Dialect> dialect);
+                       const std::string& program_name, const PlanOptions& options,
+                       std::optional<Dialect> dialect);
 CheckResult check_rest_alone(const Stock& stock, const FirstPart& first, const std::string& program,
-                             const std::string& program_name, const resolve::PlanOptions& options,
-                             std::optional<read::gcode::Dialect> dialect);
+                             const std::string& program_name, const PlanOptions& options,
+                             std::optional<Dialect> dialect);
 
 }  // namespace clearcut::pipeline

@@ -30,12 +30,12 @@ namespace {
 constexpr const char* kQuestion = "question";
 
 struct Question {
-  std::string program_name = "program";         ///< in messages and in the certificate
-  std::optional<read::gcode::Dialect> dialect;  ///< absent: recognised
-  std::optional<Part> part;                     ///< absent: the program is checked alone
-  std::optional<Stock> stock;                   ///< of a program alone
-  std::optional<double> top;                    ///< mm; of a program alone
-  resolve::PlanOptions options;
+  std::string program_name = "program";  ///< in messages and in the certificate
+  std::optional<Dialect> dialect;        ///< absent: recognised
+  std::optional<Part> part;              ///< absent: the program is checked alone
+  std::optional<Stock> stock;            ///< of a program alone
+  std::optional<double> top;             ///< mm; of a program alone
+  PlanOptions options;
 };
 
 /// "question:LINE", or "question:LINE: KEY".
@@ -103,7 +103,7 @@ Machine machine_of(const read::DataValue& value, Sources& sources) {
 
 /// The part with what the options say of it.
 Part part_of(const read::DataValue& value, const InputOptions& input) {
-  const read::ReadOptions options = read::completed(read::read_options_of(input));
+  const ReadOptions options = read::completed(read::read_options_of(input));
   Part part = read::as_asked(read::read_outline_value(value, kQuestion, options), options, kQuestion);
   if (input.clearance_z) part.clearance_z = input.clearance_z;
   return part;
@@ -136,7 +136,7 @@ Members stated_options(const read::DataValue& root) {
 
 /// The machine of the question, with the values of it that its options state.
 void take_machine(const read::DataValue& root, const Members& stated, const InputOptions& input,
-                  resolve::PlanOptions& options) {
+                  PlanOptions& options) {
   Machine machine;
   if (const read::DataValue* const value = root.find("machine")) {
     machine = machine_of(*value, options.sources);

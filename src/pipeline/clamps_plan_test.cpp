@@ -36,7 +36,7 @@ double deepest_in(const KeepOut& block, const Toolpath& toolpath, double radius)
 }
 
 TEST(Clamps, BetweenPocketsAreCrossedAbove) {
-  resolve::PlanOptions options = with({"endmill:6"});
+  PlanOptions options = with({"endmill:6"});
   options.keep_outs = {{{{45, -10}, {55, 60}}, 0, 20}};
   const std::string pockets =
       box("STOCK_D10", 0, 0, 100, 50) + box("POCKET_D3", 5, 5, 35, 45) + box("POCKET_D3", 65, 5, 95, 45);
@@ -46,7 +46,7 @@ TEST(Clamps, BetweenPocketsAreCrossedAbove) {
 }
 
 TEST(Clamps, OnWhatIsToBeCutAreRefused) {
-  resolve::PlanOptions options = with({"endmill:6"});
+  PlanOptions options = with({"endmill:6"});
   options.keep_outs = {{{{-10, 10}, {3, 20}}, 0, 20}};
   const std::string face = box("STOCK_D10", 0, 0, 100, 50) + box("FACE_D1", 0, 0, 100, 50);
   try {
@@ -65,7 +65,7 @@ TEST(Clamps, BesideRandomFacesAndPocketsAreNotTouched) {
   for (int round = 0; round < count; ++round) {
     std::mt19937 random(static_cast<unsigned>(round));
     std::uniform_real_distribution<double> along(0, 80), wide(4, 15), over(1, 14), high(0.5, 25);
-    resolve::PlanOptions options = with({round % 2 == 0 ? "endmill:6" : "endmill:5:length=15:shank=10"});
+    PlanOptions options = with({round % 2 == 0 ? "endmill:6" : "endmill:5:length=15:shank=10"});
     options.strategy = round % 3 == 0 ? "contour" : round % 3 == 1 ? "zigzag" : "adaptive";
     const double x = along(random), y = along(random) / 2;
     options.keep_outs = {{{{x, -10}, {x + wide(random), over(random) - 4}}, 0, high(random)},

@@ -12,7 +12,7 @@
 namespace clearcut::pipeline {
 namespace {
 
-StrategyRun run_of(const std::string& strategy, const Part& part, resolve::PlanOptions options) {
+StrategyRun run_of(const std::string& strategy, const Part& part, PlanOptions options) {
   options.strategy = strategy;
   try {
     const PlanResult result = plan_part(part, options);
@@ -48,7 +48,7 @@ std::vector<std::string> cells(const StrategyRun& row, const StrategyRun* fixed,
 
 }  // namespace
 
-std::vector<StrategyRun> run_strategies(const Part& part, const resolve::PlanOptions& options,
+std::vector<StrategyRun> run_strategies(const Part& part, const PlanOptions& options,
                                         const CountCallback& count) {
   std::vector<StrategyRun> runs;
   const auto names = strategy_names(strategies_of(options));
@@ -71,11 +71,10 @@ const StrategyRun* fastest_clean(const std::vector<StrategyRun>& runs) {
   return best;
 }
 
-report::TextTable strategy_table(const Part& part, const resolve::PlanOptions& options,
-                                 const std::vector<StrategyRun>& rows) {
-  report::TextTable table;
+TextTable strategy_table(const Part& part, const PlanOptions& options, const std::vector<StrategyRun>& rows) {
+  TextTable table;
   table.title = part.name;
-  table.columns = {{"strategy", report::Align::kLeft},
+  table.columns = {{"strategy", Align::kLeft},
                    {"feed mm"},
                    {"vs fixed"},
                    {"x bound"},
@@ -87,7 +86,7 @@ report::TextTable strategy_table(const Part& part, const resolve::PlanOptions& o
                    {"gouge mm"},
                    {"eng max"},
                    {"mean"},
-                   {"clean", report::Align::kLeft}};
+                   {"clean", Align::kLeft}};
   const StrategyRun* best = fastest_clean(rows);
   const auto fixed =
       std::find_if(rows.begin(), rows.end(), [](const StrategyRun& row) { return row.strategy == "fixed"; });
@@ -104,7 +103,7 @@ report::TextTable strategy_table(const Part& part, const resolve::PlanOptions& o
   return table;
 }
 
-report::TextTable compare(const Part& part, const resolve::PlanOptions& options) {
+TextTable compare(const Part& part, const PlanOptions& options) {
   return strategy_table(part, options, run_strategies(part, options));
 }
 

@@ -8,35 +8,24 @@
 #include <vector>
 
 #include "kinematics/kinematics.h"
+#include "model/results/comparison.h"
 #include "model/results/findings.h"
 #include "report/words/text_table.h"
 #include "resolve/values/plan_options.h"
 
 namespace clearcut::pipeline {
 
-/// Called before each of several plans and after the last: how many are done, of how many.
-using CountCallback = std::function<void(std::size_t done, std::size_t of)>;
-
-/// One strategy on the whole part.
-struct StrategyRun {
-  std::string strategy;
-  std::optional<Figures> figures;            ///< none where it cannot plan the part
-  std::string refusal;                       ///< and why
-  kinematics::PublishedTime published = {};  ///< CPO-rho eq. 9
-};
-
 /// Every strategy of the options' table. Throws InputError if none can plan the part. Cost one plan each.
-std::vector<StrategyRun> run_strategies(const Part& part, const resolve::PlanOptions& options,
+std::vector<StrategyRun> run_strategies(const Part& part, const PlanOptions& options,
                                         const CountCallback& count = {});
 
 /// The fastest run certified clean; null if none is.
 const StrategyRun* fastest_clean(const std::vector<StrategyRun>& runs);
 
-report::TextTable strategy_table(const Part& part, const resolve::PlanOptions& options,
-                                 const std::vector<StrategyRun>& runs);
+TextTable strategy_table(const Part& part, const PlanOptions& options, const std::vector<StrategyRun>& runs);
 
 /// One row a strategy: lengths, times (of the whole program, kinematic; CPO-rho eq. 9 of its level feed moves), what is left, load,
 /// verdict; the fastest clean row is marked. Strategies that cannot plan the part say why. Throws InputError where none can.
-report::TextTable compare(const Part& part, const resolve::PlanOptions& options);
+TextTable compare(const Part& part, const PlanOptions& options);
 
 }  // namespace clearcut::pipeline

@@ -392,12 +392,12 @@ PlacedPath placed_by_tool(const std::vector<PlannedKind>& kinds, const Places& p
   return all;
 }
 
-ResolvedPlan resolved_one(const Part& part, const resolve::PlanOptions& options) {
+ResolvedPlan resolved_one(const Part& part, const PlanOptions& options) {
   return resolve::resolve_possible(part, options, strategies_of(options));
 }
 
 /// What is said of places on one part.
-void refuse_for_copies(const resolve::PlanOptions& options) {
+void refuse_for_copies(const PlanOptions& options) {
   if (options.earlier)
     throw InputError("--after", "what ran before was cut into one part, not into copies; leave it out");
   if (!options.predrilled.empty())
@@ -405,7 +405,7 @@ void refuse_for_copies(const resolve::PlanOptions& options) {
 }
 
 /// Files of further parts are read before anything is planned.
-void refuse_unread(const resolve::PlanOptions& options) {
+void refuse_unread(const PlanOptions& options) {
   if (options.copies.with.size() > options.nested.size())
     throw InputError("--nest-with", options.copies.with[options.nested.size()] +
                                         " is not read; give its part in PlanOptions::nested");
@@ -414,7 +414,7 @@ void refuse_unread(const resolve::PlanOptions& options) {
 }
 
 /// Numbers and spacings of tabs are those of each outline, which has its tabs at the same places on each copy.
-void refuse_for_checks(const resolve::PlanOptions& options) {
+void refuse_for_checks(const PlanOptions& options) {
   refuse_for_copies(options);
   if (!options.tabs.at.empty())
     throw InputError("--tab-at",
@@ -528,8 +528,8 @@ void refuse_idle_for_all(const std::vector<PlannedKind>& kinds, const Kinds& ask
 }
 
 /// Throws InputError where the program is the same without subprograms.
-void refuse_idle_subprograms(const resolve::PlanOptions& options, const ResolvedPlan& plan,
-                             const Toolpath& toolpath, const PlanResult& result) {
+void refuse_idle_subprograms(const PlanOptions& options, const ResolvedPlan& plan, const Toolpath& toolpath,
+                             const PlanResult& result) {
   if (!options.copies.subprograms || !options.refuse_idle) return;
   PostOptions plain = plan.post;
   plain.subprograms.clear();
@@ -612,17 +612,17 @@ PlanResult result_of(std::vector<PlannedKind>& kinds, const Kinds& asked, const 
       if (one.workingstep >= 0) one.workingstep += step;
       result.selections.push_back(std::move(one));
     }
-    for (report::ContourLevels& one : own.contours) result.contours.push_back(std::move(one));
+    for (ContourLevels& one : own.contours) result.contours.push_back(std::move(one));
   }
   return result;
 }
 
 /// The plan that a program of the sheet is checked with.
 ResolvedPlan resolved_sheet(const Kinds& kinds, const Places& places, const CopiesQuestion& question,
-                            const resolve::PlanOptions& asked) {
+                            const PlanOptions& asked) {
   std::vector<PlannedKind> resolved;
   for (const Kind& kind : kinds) {
-    resolve::PlanOptions own = asked;
+    PlanOptions own = asked;
     own.keep_outs = kind.options.keep_outs;
     own.step_sources = kind.options.step_sources;
     own.step_published = kind.options.step_published;
@@ -669,7 +669,7 @@ void count_clean_parts(const Findings& findings, CopiesMade& made) {
     made.kinds[made.places[k].kind].clean_parts += clean[k] ? 1 : 0;
 }
 
-SheetOfCopies sheet_of_copies(const Part& part, const resolve::PlanOptions& options) {
+SheetOfCopies sheet_of_copies(const Part& part, const PlanOptions& options) {
   require_copies(options.copies);
   refuse_unread(options);
   refuse_for_checks(options);
@@ -695,7 +695,7 @@ SheetOfCopies sheet_of_copies(const Part& part, const resolve::PlanOptions& opti
   const Places places = places_of(question, kinds, boxes);
   SheetOfCopies sheet{sheet_of(parts, places), made_of(question, kinds, places, boxes),
                       kinds.front().options.tool_cutting,
-                      [kinds, places, question](const resolve::PlanOptions& asked) {
+                      [kinds, places, question](const PlanOptions& asked) {
                         return resolved_sheet(kinds, places, question, asked);
                       }};
   if (question.fills_sheet) {
@@ -705,7 +705,7 @@ SheetOfCopies sheet_of_copies(const Part& part, const resolve::PlanOptions& opti
   return sheet;
 }
 
-PlanResult plan_copies(const Part& part, const resolve::PlanOptions& options) {
+PlanResult plan_copies(const Part& part, const PlanOptions& options) {
   require_copies(options.copies);
   refuse_unread(options);
   refuse_for_copies(options);
@@ -758,7 +758,7 @@ PlanResult plan_copies(const Part& part, const resolve::PlanOptions& options) {
   return result;
 }
 
-PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
+PlanResult plan_part(const Part& part, const PlanOptions& options) {
   require_copies(options.copies);
   return options.copies.any() ? plan_copies(part, options) : plan_one_part(part, options);
 }

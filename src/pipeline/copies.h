@@ -9,27 +9,17 @@
 #include "model/part.h"
 #include "model/results/copies_made.h"
 #include "model/results/findings.h"
+#include "options/sheet_of_copies.h"
 #include "pipeline/steps/certify.h"
 #include "resolve/values/plan_options.h"
 
 namespace clearcut::pipeline {
 
-/// The parts of a sheet as one part.
-struct SheetOfCopies {
-  Part part;
-  CopiesMade made;  ///< none of its parts is counted as clean yet
-  /// Of the tools of the part, as PlanOptions::tool_cutting.
-  std::vector<resolve::ToolCutting> tool_cutting = {};
-  /// The plan that the sheet is checked with: each kind is resolved by itself with these options, as it is planned, before it is placed.
-  /// Throws as resolve::resolve().
-  std::function<ResolvedPlan(const resolve::PlanOptions&)> resolved = {};
-};
-
 /// The sheet of the copies that options.copies asks for as a part, for checking programs of it: each feature and step as often as there
 /// are parts. On a sheet that is filled, clamps are in its coordinates; no part comes nearer to one than the gap.
 ///
 /// Throws  InputError where the gap is not stated, and where a sheet holds no part.
-SheetOfCopies sheet_of_copies(const Part& part, const resolve::PlanOptions& options);
+SheetOfCopies sheet_of_copies(const Part& part, const PlanOptions& options);
 
 /// Plans the part, and each of options.nested, once and places its path for each copy, in the order of tools, and of places for each
 /// tool. Features are named "NAME.1" and so on, by places numbered through. Parts of several kinds share one table of tools.
@@ -38,7 +28,7 @@ SheetOfCopies sheet_of_copies(const Part& part, const resolve::PlanOptions& opti
 ///         block; that of a sheet to fill is the sheet.
 /// Gap     Where none is stated, what the cutter needs beside a part, and two kerfs where there are tabs.
 /// Throws  InputError for parts of which the sheet holds none, or that have another top or thickness than the first; where the cutter would come into the next part's box: the gap that suffices is named.
-PlanResult plan_copies(const Part& part, const resolve::PlanOptions& options);
+PlanResult plan_copies(const Part& part, const PlanOptions& options);
 
 /// Throws InputError where options of copies are there without copies, or contradict each other.
 void require_copies(const CopiesOptions& copies);

@@ -32,8 +32,7 @@ std::size_t tool_changes(const Toolpath& toolpath) {
   return changes;
 }
 
-resolve::PlanOptions in_grid(resolve::PlanOptions options, const std::string& counts,
-                             std::optional<double> gap) {
+PlanOptions in_grid(PlanOptions options, const std::string& counts, std::optional<double> gap) {
   options.copies.grid = counts;
   options.copies.gap = gap;
   return options;
@@ -44,7 +43,7 @@ TEST(Copies, WhatLiesBesideTheOutlinesIsOfThePart) {
   const Part part = drawn(box("PROFILE_D3", 0, 40, 20, 60) + box("INSIDE_D3", 30, 0, 42, 12) +
                           box("POCKET_D2", -30, 2, -10, 14));
   for (const char* sheet : {"160x140", "140x160"}) {
-    resolve::PlanOptions options = with({"endmill:3"});
+    PlanOptions options = with({"endmill:3"});
     options.copies.sheet = sheet;
     options.copies.edge = 2;
     const PlanResult result = plan_part(part, options);
@@ -58,7 +57,7 @@ TEST(Copies, WhatLiesBesideTheOutlinesIsOfThePart) {
 TEST(Copies, PocketsAtTheSideOfTheirPartNeedAWall) {
   const Part part = drawn(rounded_box("POCKET_D2", 0, 0, 20, 14, 2));
   const auto said = [&](double edge, double gap) {
-    resolve::PlanOptions options = with({"endmill:3"});
+    PlanOptions options = with({"endmill:3"});
     options.copies.sheet = "100x60";
     options.copies.edge = edge;
     options.copies.gap = gap;
@@ -77,7 +76,7 @@ TEST(Copies, PocketsAtTheSideOfTheirPartNeedAWall) {
 }
 
 TEST(Copies, EachPartIsMadeAndEachToolComesOnce) {
-  const resolve::PlanOptions options = with({"endmill:6", "drill:5"});
+  const PlanOptions options = with({"endmill:6", "drill:5"});
   const PlanResult result = plan_part(plate(), in_grid(options, "3x2", 4));
   EXPECT_TRUE(result.findings.all.clean) << faults_of(result.findings);
   ASSERT_TRUE(result.copies);
@@ -97,8 +96,8 @@ TEST(Copies, EachPartIsMadeAndEachToolComesOnce) {
 
 /// A program in which one copy is not cut is at fault for that part alone.
 TEST(Copies, APartThatIsLeftOutIsMissed) {
-  const resolve::PlanOptions options = with({"endmill:6", "drill:5"});
-  const resolve::PlanOptions two = in_grid(options, "2x1", 4);
+  const PlanOptions options = with({"endmill:6", "drill:5"});
+  const PlanOptions two = in_grid(options, "2x1", 4);
   const PlanResult sheet = plan_part(plate(), two);
   const CheckResult whole = check_program(plate(), sheet.program, "sheet.ngc", two);
   EXPECT_TRUE(whole.findings.all.clean) << faults_of(whole.findings);
@@ -120,7 +119,7 @@ Part cut_out_plate() {
 
 /// Parts that are cut out of a plain sheet stand a kerf apart: as stated, or of itself.
 TEST(Copies, CutOutsNeedTheKerf) {
-  resolve::PlanOptions options = with({"endmill:4", "drill:4"});
+  PlanOptions options = with({"endmill:4", "drill:4"});
   options.accept = {"loose-part"};
   try {
     plan_part(cut_out_plate(), in_grid(options, "2x2", 3));
@@ -144,7 +143,7 @@ TEST(Copies, CutOutsNeedTheKerf) {
 
 /// Turned where that makes more parts; every part is certified where it lies.
 TEST(Copies, ASheetIsFilledAndPartsAreTurned) {
-  resolve::PlanOptions options = with({"endmill:6", "drill:5"});
+  PlanOptions options = with({"endmill:6", "drill:5"});
   options.copies.sheet = "125x74";
   options.copies.gap = 2;
   options.copies.edge = 1;
@@ -165,7 +164,7 @@ TEST(Copies, ASheetIsFilledAndPartsAreTurned) {
 
 /// Clamps of a sheet are in its coordinates; the parts that would come too near to one are left out.
 TEST(Copies, ClampsOfTheSheetAreKeptFree) {
-  resolve::PlanOptions options = with({"endmill:6", "drill:5"});
+  PlanOptions options = with({"endmill:6", "drill:5"});
   options.copies.sheet = "130x66";
   options.copies.gap = 2;
   const int all = plan_part(plate(), options).copies->parts;
@@ -196,13 +195,13 @@ std::string conditions_named(const Findings& findings) {
 
 /// Tabs have the same places on each copy, turned ones too: programs of copies are checked with them, and one without tabs is at fault.
 TEST(Copies, TabsOfEachCopyAreChecked) {
-  resolve::PlanOptions options = with({"endmill:4", "drill:4"});
+  PlanOptions options = with({"endmill:4", "drill:4"});
   options.tabs.count = 3;
-  resolve::PlanOptions grid = in_grid(options, "2x2", 12), sheet = options;
+  PlanOptions grid = in_grid(options, "2x2", 12), sheet = options;
   sheet.copies.sheet = "160x120";
   sheet.copies.gap = 12;
   for (const Part& part : {cut_out_plate(), rounded_plate()}) {
-    for (const resolve::PlanOptions& asked : {grid, sheet}) {
+    for (const PlanOptions& asked : {grid, sheet}) {
       const PlanResult planned = plan_part(part, asked);
       EXPECT_EQ(faults_of(planned.findings), "");
       EXPECT_EQ(planned.copies->clean_parts, planned.copies->parts);
@@ -213,14 +212,14 @@ TEST(Copies, TabsOfEachCopyAreChecked) {
       EXPECT_EQ(read.copies->turned, planned.copies->turned);
     }
   }
-  resolve::PlanOptions loose = in_grid(with({"endmill:4", "drill:4"}), "2x2", 12);
+  PlanOptions loose = in_grid(with({"endmill:4", "drill:4"}), "2x2", 12);
   loose.accept = {"loose-part"};
   const PlanResult cut_loose = plan_part(rounded_plate(), loose);
   const CheckResult missing = check_program(rounded_plate(), cut_loose.program, "sheet.ngc", grid);
   EXPECT_FALSE(missing.findings.faults.empty());
   EXPECT_EQ(missing.copies->clean_parts, 0);
   // Kerfs that meet leave nothing between parts that a tab could hold to.
-  resolve::PlanOptions near = grid;
+  PlanOptions near = grid;
   near.copies.gap = 7;
   EXPECT_THAT(conditions_named(plan_part(rounded_plate(), near).findings), HasSubstr("loose-part"));
   EXPECT_THROW(check_program(rounded_plate(), cut_loose.program, "sheet.ngc", near), InputError);
@@ -247,7 +246,7 @@ TEST(Copies, SubprogramsMakeTheSameMoves) {
         std::pair("mach4", "M98 P7001"), std::pair("heidenhain", "CALL LBL 1"),
         std::pair("siemens", "REPEAT COPY7001 COPY7001_END")}) {
     SCOPED_TRACE(dialect);
-    resolve::PlanOptions options = in_grid(with({"endmill:6", "drill:5"}), "3x1", 4);
+    PlanOptions options = in_grid(with({"endmill:6", "drill:5"}), "3x1", 4);
     options.post.dialect = dialect;
     options.accept = {"blending"};
     const PlanResult plain = plan_part(plate(), options);
@@ -285,7 +284,7 @@ TEST(Copies, SubprogramsOfRandomPartsMakeTheSameMoves) {
     for (const char* dialect :
          {"linuxcnc", "tormach", "fanuc", "haas", "mach3", "mach4", "heidenhain", "siemens"}) {
       SCOPED_TRACE(dialect + std::to_string(round));
-      resolve::PlanOptions options = with({"endmill:5"});
+      PlanOptions options = with({"endmill:5"});
       options.post.dialect = dialect;
       options.post.inch = random.unit() < 0.3;
       options.copies.gap = random.between(2, 9);
@@ -310,7 +309,7 @@ TEST(Copies, SubprogramsOfRandomPartsMakeTheSameMoves) {
 
 TEST(Copies, SubprogramsThatNothingCallsAreRefused) {
   const auto refusal = [](const Part& part, const std::string& counts, const std::string& dialect) {
-    resolve::PlanOptions options = in_grid(with({"endmill:6", "drill:5"}), counts, 4);
+    PlanOptions options = in_grid(with({"endmill:6", "drill:5"}), counts, 4);
     options.post.dialect = dialect;
     options.copies.subprograms = true;
     try {
@@ -325,7 +324,7 @@ TEST(Copies, SubprogramsThatNothingCallsAreRefused) {
   EXPECT_THAT(
       refusal(drawn(box("STOCK_D8", 0, 0, 40, 30) + circle("DRILL_D8", {32, 8}, 2.5)), "2x1", "fanuc"),
       HasSubstr("has no effect"));
-  resolve::PlanOptions options = with({"endmill:6", "drill:5"});
+  PlanOptions options = with({"endmill:6", "drill:5"});
   options.copies.subprograms = true;
   EXPECT_THROW(plan_part(plate(), options), InputError);
 }
@@ -342,7 +341,7 @@ TEST(Copies, WhatIsNoNumberOfCopiesIsRefused) {
 /// Options of copies that serve nothing, or contradict each other.
 TEST(Copies, WhatServesNothingIsRefused) {
   const auto refused = [](const CopiesOptions& copies, const char* what) {
-    resolve::PlanOptions options = with({"endmill:6", "drill:5"});
+    PlanOptions options = with({"endmill:6", "drill:5"});
     options.copies = copies;
     try {
       plan_part(plate(), options);
@@ -355,7 +354,7 @@ TEST(Copies, WhatServesNothingIsRefused) {
   refused({.grid = "2x1", .edge = 4}, "--edge: is of a sheet");
   refused({.grid = "2x1", .count = 4}, "--count: is of a sheet");
   refused({.grid = "2x1", .sheet = "200x100"}, "leave one of them out");
-  resolve::PlanOptions options = in_grid(with({"endmill:6", "drill:5"}), "2x1", {});
+  PlanOptions options = in_grid(with({"endmill:6", "drill:5"}), "2x1", {});
   EXPECT_THROW(check_program(plate(), "G0 Z5", "a.ngc", options), InputError);
   EXPECT_THROW(check_program_alone({}, "G0 Z5", "a.ngc", options), InputError);
 }

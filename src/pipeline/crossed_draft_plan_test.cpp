@@ -77,7 +77,7 @@ TEST(CrossedDraft, PlansAreNoGougesAndWrongOnesAre) {
   constexpr double kRadius = 2, kSpare = 0.01, kGrid = 0.4;
   for (int i = 0; i < 4; ++i) {
     const CrossedPockets pockets = random_pockets(random);
-    resolve::PlanOptions options = with({"endmill:4"});
+    PlanOptions options = with({"endmill:4"});
     options.strategy = i % 2 ? "zigzag" : "contour";
     options.accept = {"out-of-reach"};
     const Part part = pockets.part();
@@ -100,8 +100,7 @@ TEST(CrossedDraft, PlansAreNoGougesAndWrongOnesAre) {
         less.lean += 0.03;
       else
         less.upright.width -= 0.1;
-      const auto checked =
-          check_program(less.part(), plan.program, "less", options, read::gcode::Dialect::kLinuxCnc);
+      const auto checked = check_program(less.part(), plan.program, "less", options, Dialect::kLinuxCnc);
       EXPECT_TRUE(has(checked.findings, FaultKind::kGouge)) << i << leans_more;
     }
   }
@@ -114,15 +113,14 @@ TEST(CrossedDraft, LongMovesAlongWallsBesideTheCrossingAreNoGouges) {
   pockets.upright = {-100, 8, 220, 14};
   pockets.lean = 0.4;
   pockets.leaning_depth = pockets.upright_depth = 4;
-  resolve::PlanOptions options = with({"endmill:6"});
+  PlanOptions options = with({"endmill:6"});
   options.strategy = "contour";
   options.accept = {"out-of-reach"};
   const PlanResult plan = plan_part(pockets.part(), options);
   EXPECT_FALSE(has(plan.findings, FaultKind::kGouge)) << faults_of(plan.findings);
   CrossedPockets less = pockets;
   less.upright.height -= 0.1;
-  const auto checked =
-      check_program(less.part(), plan.program, "less", options, read::gcode::Dialect::kLinuxCnc);
+  const auto checked = check_program(less.part(), plan.program, "less", options, Dialect::kLinuxCnc);
   EXPECT_TRUE(has(checked.findings, FaultKind::kGouge));
 }
 
@@ -146,7 +144,7 @@ double gouge_over(Vec2 p, const CrossedPockets& pockets, const Toolpath& toolpat
 TEST(CrossedDraft, RoundedEndsTouchWallsThatTheyCannotKeepOff) {
   constexpr double kRadius = 2, kRound = 1, kGrid = 0.8;
   const CrossedPockets pockets{{0, 0, 14.5, 22.4}, {5.5, -3.7, 15.6, 15.7}, 0.7854, 2.4, 2.8};
-  resolve::PlanOptions options = with({"bullnose:4:corner=1"});
+  PlanOptions options = with({"bullnose:4:corner=1"});
   options.strategy = "contour";
   options.accept = {"out-of-reach"};
   const PlanResult plan = plan_part(pockets.part(), options);
@@ -163,7 +161,7 @@ TEST(CrossedDraft, RoundedEndsTouchWallsUnderAPocketThatIsWiderThanThey) {
         fmt::format(R"({{"units": "mm", "pockets": [{{"name": "P", "top": 0, "depth": 2, "outer": {}}},
                         {{"name": "L", "top": -2, "depth": 3, "slope_rad": 0.6, "outer": {}}}]}})",
                     wide.text(), Rectangle{0, 0, 24, 22}.text());
-    resolve::PlanOptions options = with({"ball:4"});
+    PlanOptions options = with({"ball:4"});
     options.strategy = "contour";
     options.accept = {"out-of-reach"};
     return plan_part(read::read_part_text(text, "under.json", {}), options).findings;
@@ -177,7 +175,7 @@ TEST(CrossedDraft, RoundedEndsTouchWallsUnderAPocketThatIsWiderThanThey) {
 
 TEST(CrossedDraft, WhatIsGainedDeepDownAloneIsCutFromTheTop) {
   const CrossedPockets pockets{{0, 0, 16, 22.3}, {11.8, 5.5, 19.6, 11}, 0.7854, 3.9, 5.2};
-  resolve::PlanOptions options = with({"endmill:4"});
+  PlanOptions options = with({"endmill:4"});
   options.strategy = "contour";
   options.accept = {"out-of-reach"};
   const PlanResult plan = plan_part(pockets.part(), options);

@@ -31,7 +31,7 @@ order::Problem visit_problem(const std::vector<Vec2>& points) {
   return problem;
 }
 
-order::Solution shortest_visit(const std::vector<Vec2>& points, const resolve::PlanOptions& options,
+order::Solution shortest_visit(const std::vector<Vec2>& points, const PlanOptions& options,
                                const std::function<void(const order::Progress&)>& progress = {}) {
   order::SolveOptions solve;
   solve.seed = options.seed;
@@ -42,13 +42,13 @@ order::Solution shortest_visit(const std::vector<Vec2>& points, const resolve::P
   return order::solve(visit_problem(points), *order::length_objective(), solve);
 }
 
-bool is_published(const resolve::PlanOptions& options) {
+bool is_published(const PlanOptions& options) {
   return options.published.solver && options.published.solver->is_published;
 }
 
 /// The order found by a solver, with its convergence.
-std::vector<int> searched_visit(const std::vector<Vec2>& points, const resolve::PlanOptions& options,
-                                report::VisitSearch& search) {
+std::vector<int> searched_visit(const std::vector<Vec2>& points, const PlanOptions& options,
+                                VisitSearch& search) {
   search.points = points.size();
   if (!is_published(options)) {
     search.solver = "modern";
@@ -162,7 +162,7 @@ std::vector<ElementFigures> figures_of(const ElementJob& job, const PointTable& 
 
 }  // namespace
 
-ElementsResult plan_elements(const ElementJob& job, const resolve::PlanOptions& options) {
+ElementsResult plan_elements(const ElementJob& job, const PlanOptions& options) {
   plan::grid::check(job);
   ElementsResult result;
   result.points = plan::grid::tabulate(job);
@@ -187,7 +187,7 @@ ElementsResult plan_elements(const ElementJob& job, const resolve::PlanOptions& 
 }
 
 std::vector<SquareSearch> search_squares(const ElementJob& job, const PointTable& points,
-                                         const resolve::PlanOptions& options) {
+                                         const PlanOptions& options) {
   const PublishedSolver solver =
       options.published.solver ? options.published.solver->published : PublishedSolver{};
   const auto search = [&](const std::vector<Vec2>& at) {
@@ -209,11 +209,11 @@ std::vector<SquareSearch> search_squares(const ElementJob& job, const PointTable
   return searches;
 }
 
-report::TextTable square_table(const std::vector<SquareSearch>& searches) {
-  report::TextTable table;
+TextTable square_table(const std::vector<SquareSearch>& searches) {
+  TextTable table;
   table.title = "The published genetic algorithm on all squares, and on those that the reduction keeps";
   table.columns = {
-      {"element", report::Align::kLeft}, {"squares"}, {"visit mm"}, {"s"}, {"reduced"}, {"visit mm"}, {"s"}};
+      {"element", Align::kLeft}, {"squares"}, {"visit mm"}, {"s"}, {"reduced"}, {"visit mm"}, {"s"}};
   for (const SquareSearch& one : searches)
     table.add({one.id, std::to_string(one.squares), fmt::format("{:.2f}", one.all_mm),
                fmt::format("{:.3f}", one.all_s), std::to_string(one.reduced),
@@ -221,9 +221,9 @@ report::TextTable square_table(const std::vector<SquareSearch>& searches) {
   return table;
 }
 
-report::TextTable element_table(const ElementsResult& result) {
-  report::TextTable table;
-  table.columns = {{"element", report::Align::kLeft}, {"squares"}, {"reduced"}, {"kept %"}, {"visit mm"}};
+TextTable element_table(const ElementsResult& result) {
+  TextTable table;
+  table.columns = {{"element", Align::kLeft}, {"squares"}, {"reduced"}, {"kept %"}, {"visit mm"}};
   for (const auto& element : result.elements) {
     const double share = 100.0 * static_cast<double>(element.reduced) / static_cast<double>(element.squares);
     table.add({element.id, std::to_string(element.squares), std::to_string(element.reduced),

@@ -38,7 +38,7 @@ TEST(Facing, TheWidestCutterFacesAndStockThatEndsAtTheTopIsLeftAlone) {
 
 /// The outline lies on a face that was cut before, the kerf beside the outline reaches beyond this face.
 TEST(Facing, ProfilesBeginAtTheHighestMaterialOverTheirKerfs) {
-  resolve::PlanOptions options = with({"endmill:6"});
+  PlanOptions options = with({"endmill:6"});
   options.stepdown = 1.5;
   const std::string sheet =
       box("STOCK_D12", 0, 0, 100, 70) + box("FACE_D1", 0, 0, 60, 70) + box("PROFILE_D4", 20, 20, 57, 50);
@@ -49,7 +49,7 @@ TEST(Facing, ProfilesBeginAtTheHighestMaterialOverTheirKerfs) {
 /// What lies beside a face or an isolated piece has walls: what another program cuts of them is a gouge, and their corners are out of
 /// reach.
 TEST(Facing, WallsBesideAFaceStand) {
-  const resolve::PlanOptions options = with({"endmill:3"});
+  const PlanOptions options = with({"endmill:3"});
   for (const auto& [layer, open] :
        {std::pair("POCKET_D2", "FACE_D3"), std::pair("INSIDE_D2", "FACE_D3"),
         std::pair("POCKET_D5", "FACE_D3"), std::pair("POCKET_D2", "ISOLATE_D3_W4"),
@@ -65,7 +65,7 @@ TEST(Facing, WallsBesideAFaceStand) {
 
 /// Engraved lines beside a deeper face are no deeper than drawn, and stand apart from its cutter.
 TEST(Facing, LinesBesideADeeperFaceKeepTheirDepth) {
-  const resolve::PlanOptions options = with({"endmill:6", "ball:2"});
+  const PlanOptions options = with({"endmill:6", "ball:2"});
   const std::string beside = box("FACE_D1", 60, 0, 90, 20);
   const auto gouges = [&](const std::string& asked, const std::string& cut) {
     const std::string program = plan_part(drawn(cut + beside), options).program;
@@ -81,7 +81,7 @@ TEST(Facing, LinesBesideADeeperFaceKeepTheirDepth) {
 
 /// Floors beside a deeper face or isolated piece are kept, too.
 TEST(Facing, FloorsBesideADeeperFaceStand) {
-  const resolve::PlanOptions options = with({"endmill:3", "drill:5"});
+  const PlanOptions options = with({"endmill:3", "drill:5"});
   for (const char* open : {"FACE_D3", "ISOLATE_D3_W4"}) {
     const std::string beside = box(open, 70, 0, 90, 20);
     const auto gouges = [&](const std::string& asked, const std::string& cut) {
@@ -107,7 +107,7 @@ TEST(Facing, WhatLiesBesideAFaceIsMadeAsWithoutIt) {
     for (int i = 0; i < 4; ++i) corners.push_back({direction_of(a + i * kPi / 2 + (i % 2) * 0.4) * half});
     const double from = half + gap(random);
     const std::string layer = seed % 2 == 0 ? "POCKET_D2" : "INSIDE_D2";
-    const resolve::PlanOptions options = with({"endmill:3"});
+    const PlanOptions options = with({"endmill:3"});
     const Part part = drawn(outline(layer, corners) + box("FACE_D2", from, -20, from + 25, 20));
     const PlanResult result = plan_part(part, options);
     EXPECT_TRUE(result.findings.all.clean) << seed << faults_of(result.findings);
@@ -125,7 +125,7 @@ TEST_P(FacesOfRandomOutlines, AreFacedAllOver) {
     const int count = 3 + round % 9;
     for (int i = 0; i < count; ++i)
       corners.push_back({direction_of(2 * kPi * (i + share(random)) / count) * away(random)});
-    resolve::PlanOptions options = with({"endmill:8"});
+    PlanOptions options = with({"endmill:8"});
     options.strategy = round % 2 == 0 ? "zigzag" : "contour";
     const Part part = drawn(outline("FACE_D1", corners));
     const PlanResult result = plan_part(part, options);

@@ -18,8 +18,8 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-resolve::PlanOptions tabbed(const std::string& tool, int count, TabShape shape = TabShape::kSquare) {
-  resolve::PlanOptions options = with({tool});
+PlanOptions tabbed(const std::string& tool, int count, TabShape shape = TabShape::kSquare) {
+  PlanOptions options = with({tool});
   options.strategy = "contour";
   options.tabs.count = count;
   options.tabs.shape = shape;
@@ -46,7 +46,7 @@ std::string open_line(const std::string& layer, const std::vector<BulgeVertex>& 
 const std::string kStock = box("STOCK_D4", -50, -50, 50, 50);
 
 /// The second method's own words on what stands along one outline.
-void expect_hills(const std::vector<Hill>& hills, const resolve::PlanOptions& options, double round, int i) {
+void expect_hills(const std::vector<Hill>& hills, const PlanOptions& options, double round, int i) {
   const bool square = options.tabs.shape == TabShape::kSquare;
   const double steepness = square ? 0 : *options.tabs.height * 2 / options.tabs.width;
   if (options.tabs.count > 0) {
@@ -63,7 +63,7 @@ void expect_hills(const std::vector<Hill>& hills, const resolve::PlanOptions& op
   }
 }
 
-resolve::PlanOptions random_wish(int i, Random& random) {
+PlanOptions random_wish(int i, Random& random) {
   auto options = tabbed("endmill:" + std::to_string(2 + i % 5), i % 2 == 0 ? 2 + i % 3 : 0,
                         i % 4 < 2 ? TabShape::kSquare : TabShape::kTriangular);
   const double spacing = random.between(40, 90);

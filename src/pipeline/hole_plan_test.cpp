@@ -31,8 +31,7 @@ void expect_clean(const PlanResult& result) {
 
 /// The verdict on a program of a part in which one text is replaced.
 Findings changed(const Part& part, const PlanResult& planned, const std::string& what, const std::string& by,
-                 const resolve::PlanOptions& options,
-                 read::gcode::Dialect dialect = read::gcode::Dialect::kLinuxCnc) {
+                 const PlanOptions& options, Dialect dialect = Dialect::kLinuxCnc) {
   std::string program = planned.program;
   const auto at = program.find(what);
   EXPECT_NE(at, std::string::npos) << what << "\n" << program;
@@ -61,7 +60,7 @@ TEST(HolePlan, AThroughHoleIsDrilledByItsPointBelowTheStock) {
 /// The point of a drill of 6 mm is 1.8 mm long: a hole 1 mm deep is nowhere 6 mm wide when the point ends on its floor.
 TEST(HolePlan, AHoleShallowerThanThePointOfItsOnlyDrillIsOutOfReach) {
   const Part part = with_circle("DRILL_D1", 6, circle("POCKET_D3", {18, 18}, 9));
-  resolve::PlanOptions options = with({"drill:6", "endmill:10"});
+  PlanOptions options = with({"drill:6", "endmill:10"});
   const PlanResult result = plan_part(part, options);
   const CheckResult checked = check_program(part, result.program, "x", options);
   for (const Findings* findings : {&result.findings, &checked.findings}) {
@@ -122,8 +121,7 @@ TEST(HolePlan, APlaceThatTheDigitsOfInchesMissIsThePlace) {
   expect_clean(result);
   EXPECT_THAT(warnings_of(result.part), Not(HasSubstr("--decimals")));
   // 0.0003 inch more is 6.5 um beside the place.
-  const Findings beside =
-      changed(part, result, "G81 X0.4576", "G81 X0.4579", options, read::gcode::Dialect::kHaas);
+  const Findings beside = changed(part, result, "G81 X0.4576", "G81 X0.4579", options, Dialect::kHaas);
   EXPECT_TRUE(has(beside, FaultKind::kGouge)) << faults_of(beside);
 }
 
@@ -161,8 +159,7 @@ TEST(HolePlan, AMilledHoleKeepsItsWall) {
   std::string wide = result.program;
   for (auto at = wide.find("X12 "); at != std::string::npos; at = wide.find("X12 ", at + 1))
     wide.replace(at, 4, "X12.003 ");
-  const Findings beside =
-      check_program(part, wide, "wide", options, read::gcode::Dialect::kLinuxCnc).findings;
+  const Findings beside = check_program(part, wide, "wide", options, Dialect::kLinuxCnc).findings;
   EXPECT_TRUE(has(beside, FaultKind::kGouge)) << faults_of(beside);
 }
 
@@ -199,9 +196,8 @@ TEST(HolePlan, HolesThatNoDrillMakesAreNotDrilledNarrower) {
               HasSubstr("(and 1 more): no tool at hand makes a hole of 3.2 mm; T2 (drill 3 mm) is narrower"));
   EXPECT_THAT(planned.program, Not(HasSubstr("X10 ")));
   EXPECT_THAT(planned.program, HasSubstr("X20 "));
-  EXPECT_EQ(
-      open(check_program(part, planned.program, "again", options, read::gcode::Dialect::kLinuxCnc).findings),
-      open(planned.findings));
+  EXPECT_EQ(open(check_program(part, planned.program, "again", options, Dialect::kLinuxCnc).findings),
+            open(planned.findings));
   // Drilled all the same it is a hole of the wrong width.
   const Findings narrow = changed(part, planned, "X20 Y-3 Z", "X10 Y-3 Z", options);
   EXPECT_TRUE(has(narrow, FaultKind::kUncut)) << faults_of(narrow);
@@ -526,7 +522,7 @@ TEST(HolePlan, RigidTapsOfHeidenhainAreCheckedByTheirPitch) {
   const PlanResult result = plan_part(part, options);
   expect_clean(result);
   const auto faulty = [&](const std::string& what, const std::string& by, FaultKind kind) {
-    const Findings found = changed(part, result, what, by, options, read::gcode::Dialect::kHeidenhain);
+    const Findings found = changed(part, result, what, by, options, Dialect::kHeidenhain);
     EXPECT_TRUE(has(found, kind)) << what << " -> " << by << "\n" << faults_of(found);
   };
   faulty("Q239=+1 ", "Q239=+1.25 ", FaultKind::kTapping);
@@ -576,7 +572,7 @@ TEST(HolePlan, ThreadsAreCheckedWhereChordsStandForArcs) {
     }
   }
   const std::string program = post::write_program(steep, result.part, options.post);
-  const auto found = check_program(part, program, "steep", options, read::gcode::Dialect::kLinuxCnc).findings;
+  const auto found = check_program(part, program, "steep", options, Dialect::kLinuxCnc).findings;
   EXPECT_TRUE(has(found, FaultKind::kThread)) << "pitch of 1.575";
 }
 
@@ -643,7 +639,7 @@ TEST(HolePlan, WrongThreadsAreFound) {
     }
     PostOptions post = options.post;
     const std::string program = post::write_program(wrong, result.part, post);
-    return check_program(part, program, "wrong", options, read::gcode::Dialect::kLinuxCnc).findings;
+    return check_program(part, program, "wrong", options, Dialect::kLinuxCnc).findings;
   };
   const auto stretch = [](double by) {
     return [by](Section& section) {
@@ -687,9 +683,9 @@ TEST(HolePlan, WhatOneToolOfAJobStatesDoesNotBindTheOthers) {
   part.tools = {resolve::parse_tool("endmill:4"), resolve::parse_tool("drill:5"),
                 resolve::parse_tool("tap:M6:floating")};
   for (std::size_t i = 0; i < part.tools.size(); ++i) part.tools[i].number = static_cast<int>(i) + 1;
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.tool_cutting.resize(3);
-  resolve::ToolCutting& mill = options.tool_cutting.front();
+  ToolCutting& mill = options.tool_cutting.front();
   mill.stated = true;
   mill.stepdown = 1;
   mill.cutting.plunge_feed = MmPerMin::of(50);
@@ -701,7 +697,7 @@ TEST(HolePlan, WhatOneToolOfAJobStatesDoesNotBindTheOthers) {
   const PlanResult planned = plan_part(part, options);
   expect_clean(planned);
   const Findings checked =
-      check_program(part, planned.program, "again", options, read::gcode::Dialect::kLinuxCnc).findings;
+      check_program(part, planned.program, "again", options, Dialect::kLinuxCnc).findings;
   EXPECT_TRUE(checked.all.clean) << faults_of(checked);
 }
 

@@ -226,7 +226,7 @@ class LayerPlanner {
       : options_(options),
         strategies_(strategies_of(options.plan)),
         areas_(areas_of(part, options.plan.tol)) {
-    resolve::PlanOptions plan = options.plan;
+    PlanOptions plan = options.plan;
     plan.tol = tolerances_of(options);
     plan.refuse_idle = false;
     plan_ = resolve::resolve(layer_of(part, areas_, options), plan, strategies_);

@@ -8,30 +8,10 @@
 #include "base/units.h"
 #include "model/part.h"
 #include "model/results/laid_findings.h"
+#include "options/infill_options.h"
 #include "resolve/values/plan_options.h"
 
 namespace clearcut::pipeline {
-
-/// Lengths in mm.
-struct InfillOptions {
-  double width = 0;  ///< of the line, > 0
-  LayingWord word = LayingWord::kExtruded;
-  double rate = 0;  ///< > 0; mm of filament for every mm of line; for a laser the power
-  /// Of the strategies, or "auto": of those that cover the area the one that lays least over itself.
-  std::string strategy = "auto";
-  /// From line to line as for a cutter of this width; absent: the widest of some that leaves nothing bare.
-  std::optional<std::string> stepover;
-  double most_over = 0.1;  ///< greatest share of the covered area laid over what is covered already
-  double z = 0;            ///< height of the layer
-  MmPerMin feed = MmPerMin::of(1200), travel = MmPerMin::of(6000);
-  resolve::PlanOptions plan;  ///< seed, threads, cancel, tol, strategies are used
-};
-
-struct InfillResult {
-  std::string strategy, stepover;
-  std::string program;
-  LaidFindings findings;  ///< of the program's text as read back
-};
 
 /// Plans all areas of the part, whatever their depths, as one layer with a cutter of the line's width, lays what it would cut
 /// (links are travelled), writes the program, reads it and checks it. Throws InputError for values that are not above 0, for parts

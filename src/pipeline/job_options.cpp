@@ -22,19 +22,19 @@ namespace clearcut::pipeline {
 namespace {
 
 /// Also strategies overridden by a later rule: an unknown name is never intended.
-void check_strategies(const read::JobFile& job) {
-  const auto check = [](const read::CutSettings& settings) {
+void check_strategies(const JobFile& job) {
+  const auto check = [](const CutSettings& settings) {
     const Source* source = settings.sources.find("strategy");
     if (settings.asked.strategy && source)
       resolve::strategy_named(*settings.asked.strategy, built_in_strategies(), source->text);
   };
   check(job.plan);
-  for (const read::OperationRule& rule : job.operations) check(rule.settings);
+  for (const OperationRule& rule : job.operations) check(rule.settings);
 }
 
 /// As the control that is named; where that does not take it, as the one for which it was written.
-read::gcode::Program read_as_its_control(const std::string& file, const resolve::PlanOptions& options,
-                                         std::optional<read::gcode::Dialect> dialect) {
+Program read_as_its_control(const std::string& file, const PlanOptions& options,
+                            std::optional<Dialect> dialect) {
   read::gcode::ReadControllerOptions reading = reading_of(options, options.tools, file);
   const std::string text = read_file(file);
   try {
@@ -49,20 +49,18 @@ read::gcode::Program read_as_its_control(const std::string& file, const resolve:
 
 }  // namespace
 
-std::vector<resolve::ToolCutting> cutting_of_tools(const std::vector<read::LibraryTool>& tools,
-                                                   const std::string& preset) {
-  std::vector<resolve::ToolCutting> cutting;
-  for (const read::LibraryTool& tool : tools) {
-    const read::CuttingPreset* found = preset_of(tool, preset);
-    cutting.push_back(found ? resolve::ToolCutting{true, found->cutting, found->stepdown, found->stepover}
-                            : resolve::ToolCutting{});
+std::vector<ToolCutting> cutting_of_tools(const std::vector<LibraryTool>& tools, const std::string& preset) {
+  std::vector<ToolCutting> cutting;
+  for (const LibraryTool& tool : tools) {
+    const CuttingPreset* found = read::preset_of(tool, preset);
+    cutting.push_back(found ? ToolCutting{true, found->cutting, found->stepdown, found->stepover}
+                            : ToolCutting{});
   }
   return cutting;
 }
 
-void read_earlier_program(resolve::PlanOptions& options, const std::string& file,
-                          std::optional<read::gcode::Dialect> dialect) {
-  read::gcode::Program program = read_as_its_control(file, options, dialect);
+void read_earlier_program(PlanOptions& options, const std::string& file, std::optional<Dialect> dialect) {
+  Program program = read_as_its_control(file, options, dialect);
   options.earlier = std::move(program.toolpath);
   options.earlier_state = {std::move(program.control), std::move(program.conditions), {}};
   for (Condition& one : options.earlier_state.conditions) {
@@ -71,10 +69,10 @@ void read_earlier_program(resolve::PlanOptions& options, const std::string& file
   }
 }
 
-resolve::PlanOptions options_of_job(const read::JobFile& job) {
+PlanOptions options_of_job(const JobFile& job) {
   check_strategies(job);
-  resolve::PlanOptions options = job.whole;
-  options.tool_cutting = cutting_of_tools(tools_of_job(job), job.preset);
+  PlanOptions options = job.whole;
+  options.tool_cutting = cutting_of_tools(read::tools_of_job(job), job.preset);
   options.machine = job.machine;
   // If the job states the offset of the zero, this condition is met.
   if (job.sources.find("work-offset")) options.accept.push_back(condition_of(options.post.work_offset));
@@ -106,14 +104,14 @@ std::string place_of(const Row& row, const Source& source) {
 }
 
 /// "2,5": outlines of one drawing, by their numbers.
-bool is_by_number(const read::LayerRule& rule) {
+bool is_by_number(const LayerRule& rule) {
   return !rule.pattern.empty() && rule.pattern.find_first_not_of("0123456789, ") == std::string::npos;
 }
 
 /// The job of the first part for another file: without what it says of places and of single features.
-read::JobFile for_another_part(read::JobFile job, const std::string& file) {
+JobFile for_another_part(JobFile job, const std::string& file) {
   job.part_file = file;
-  std::erase_if(job.operations, [](const read::OperationRule& rule) { return rule.feature != "*"; });
+  std::erase_if(job.operations, [](const OperationRule& rule) { return rule.feature != "*"; });
   std::erase_if(job.read.layer_rules, is_by_number);
   job.sequence.clear();
   job.keep_outs.clear();
@@ -140,7 +138,7 @@ bool is_same_machine(const Machine& a, const Machine& b) {
 }
 
 /// Throws InputError for what a job of a further part states of the whole plan otherwise than `options`.
-void refuse_other_sheet(const read::JobFile& job, const PlanOptions& options) {
+void refuse_other_sheet(const JobFile& job, const PlanOptions& options) {
   if (!job.setups.empty())
     throw InputError(job.file, "has several set-ups; parts that lie on one sheet have one");
   if (job.after || job.stock_from)
@@ -162,7 +160,7 @@ void refuse_other_sheet(const read::JobFile& job, const PlanOptions& options) {
 }
 
 NestedPart read_nested_part(const NestedFile& named, const PlanOptions& options,
-                            const std::optional<read::JobFile>& of_first, read::ReadOptions over) {
+                            const std::optional<JobFile>& of_first, ReadOptions over) {
   NestedPart nested;
   nested.count = named.count;
   std::erase_if(over.layer_rules, is_by_number);
@@ -171,8 +169,7 @@ NestedPart read_nested_part(const NestedFile& named, const PlanOptions& options,
     nested.part = read::read_part(named.file, over);
     return nested;
   }
-  const read::JobFile job =
-      has_own_job ? read::read_job(named.file) : for_another_part(*of_first, named.file);
+  const JobFile job = has_own_job ? read::read_job(named.file) : for_another_part(*of_first, named.file);
   if (has_own_job) refuse_other_sheet(job, options);
   nested.part = read::part_of_job(job, over, nested.step_sources, nested.step_published);
   nested.tool_cutting = cutting_of_tools(read::tools_of_job(job), job.preset);
@@ -213,9 +210,8 @@ bool is_stated(const Source* source) {
 
 }  // namespace
 
-std::vector<NestedPart> read_nested_parts(const PlanOptions& options,
-                                          const std::optional<read::JobFile>& of_first,
-                                          const read::ReadOptions& over) {
+std::vector<NestedPart> read_nested_parts(const PlanOptions& options, const std::optional<JobFile>& of_first,
+                                          const ReadOptions& over) {
   std::vector<NestedPart> parts;
   for (const std::string& text : options.copies.with) {
     const auto named = nested_file(text);

@@ -15,7 +15,7 @@ namespace clearcut::pipeline {
 /// The options of a job's [plan], [machine] and [output] with their sources, and the cutting data of its tools. Its
 /// operations are already in its part, see part_of_job. Reads the job's tool library and the earlier program. Throws
 /// InputError for unknown strategies, even if overridden by a later rule, and for unreadable files.
-resolve::PlanOptions options_of_job(const read::JobFile& job);
+PlanOptions options_of_job(const JobFile& job);
 
 /// The parts of options.copies.with, each read from its file with the options `over` as the first part was, of a job with what the job
 /// `of_first` says of all parts: its [part] without places, its tools, its [plan] and the operations of "*". A job is read as it is.
@@ -23,19 +23,16 @@ resolve::PlanOptions options_of_job(const read::JobFile& job);
 ///
 /// Throws  as read_part() and part_of_job(), and where a job of a further part has several set-ups, or states for the whole plan what
 ///         `options` do not: that is of the sheet.
-std::vector<NestedPart> read_nested_parts(const resolve::PlanOptions& options,
-                                          const std::optional<read::JobFile>& of_first,
-                                          const read::ReadOptions& over);
+std::vector<NestedPart> read_nested_parts(const PlanOptions& options, const std::optional<JobFile>& of_first,
+                                          const ReadOptions& over);
 
 /// Cutting data stated by a library for its tools, in their order; `preset` names one of several sets, "" the first.
-std::vector<resolve::ToolCutting> cutting_of_tools(const std::vector<read::LibraryTool>& tools,
-                                                   const std::string& preset);
+std::vector<ToolCutting> cutting_of_tools(const std::vector<LibraryTool>& tools, const std::string& preset);
 
 /// Reads into `options` an earlier program on the same stock on options.machine: its moves, the state of the control
 /// meanwhile, and the conditions for these moves. `dialect`: the control; absent, or if it does not accept the
 /// program: recognised. Throws InputError.
-void read_earlier_program(resolve::PlanOptions& options, const std::string& file,
-                          std::optional<read::gcode::Dialect> dialect = {});
+void read_earlier_program(PlanOptions& options, const std::string& file, std::optional<Dialect> dialect = {});
 
 /// An option without effect: its place ("--lead", "job.toml:12: lead"), and why it has none.
 struct IdleOption {

@@ -95,8 +95,8 @@ Part small_pocket() {
   return drawn(outline("POCKET_D2", {{{1, 1}}, {{29, 1}}, {{29, 17}, 0.5}, {{16, 27}}, {{1, 20}}}));
 }
 
-resolve::PlanOptions adaptive(std::optional<FeedBy> by) {
-  resolve::PlanOptions options = with({"endmill:6"});
+PlanOptions adaptive(std::optional<FeedBy> by) {
+  PlanOptions options = with({"endmill:6"});
   options.strategy = "adaptive";
   options.engagement_deg = 60;
   options.entry = EntryKind::kHelix;
@@ -126,7 +126,7 @@ TEST(LoadFeeds, NoMoveIsAboveTheReferenceByARaster) {
 /// Coarse digits move paths by micrometres, which makes thin chips thicker.
 TEST(LoadFeeds, NoMoveIsAboveTheReferenceWhereDigitsAreCoarse) {
   for (const bool inch : {false, true}) {
-    resolve::PlanOptions options = with({"endmill:1"});
+    PlanOptions options = with({"endmill:1"});
     options.strategy = "contour";
     options.shop.feed_by = FeedBy::kChip;
     options.shop.material = "steel";
@@ -140,7 +140,7 @@ TEST(LoadFeeds, NoMoveIsAboveTheReferenceWhereDigitsAreCoarse) {
 }
 
 TEST(LoadFeeds, TheCapHoldsEverywhere) {
-  resolve::PlanOptions options = adaptive(FeedBy::kRemoval);
+  PlanOptions options = adaptive(FeedBy::kRemoval);
   options.shop.feed_cap = MmPerMin::of(1300);
   const PlanResult result = plan_part(small_pocket(), options);
   EXPECT_TRUE(result.findings.faults.empty()) << faults_of(result.findings);
@@ -153,7 +153,7 @@ TEST(LoadFeeds, TheCapHoldsEverywhere) {
 
 TEST(LoadFeeds, AProgramThatIsFasterIsAtFaultOnce) {
   const PlanResult plain = plan_part(small_pocket(), adaptive({}));
-  resolve::PlanOptions options = with({"endmill:6"});
+  PlanOptions options = with({"endmill:6"});
   options.shop.feed_by = FeedBy::kRemoval;
   options.shop.reference_feed = MmPerMin::of(400);
   const CheckResult slow = check_program(small_pocket(), plain.program, "p.ngc", options);
@@ -186,11 +186,11 @@ TEST(ProgramFeeds, ChangeFWordsAlone) {
   for (const std::string& begin :
        {std::string("G21 G90 G17 T1 M6\n"), std::string("G21 G90 G17 T1 M6 ( F1 )\r\n")}) {
     const std::string program = begin + slots;
-    resolve::PlanOptions options = with({"endmill:6"});
+    PlanOptions options = with({"endmill:6"});
     options.shop.feed_by = FeedBy::kRemoval;
     ProgramQuestion question;
     question.stock = Stock{{{0, -20}, {30, 40}}, -10, 0};
-    question.dialect = read::gcode::Dialect::kLinuxCnc;
+    question.dialect = Dialect::kLinuxCnc;
     const ProgramFeeds feeds = feeds_of_program(question, program, "p.ngc", options);
     const auto was = lines_of(program), is = lines_of(feeds.program);
     ASSERT_EQ(was.size(), is.size());
@@ -209,7 +209,7 @@ TEST(ProgramFeeds, NeedARuleAndGCode) {
   ProgramQuestion question;
   question.stock = Stock{{{0, -20}, {30, 40}}, -10, 0};
   EXPECT_THROW(feeds_of_program(question, program, "p.ngc", with({"endmill:6"})), InputError);
-  resolve::PlanOptions options = with({"endmill:6"});
+  PlanOptions options = with({"endmill:6"});
   options.shop.feed_by = FeedBy::kChip;
   const std::string klartext =
       "BEGIN PGM A MM\n1 TOOL CALL 1 Z S8000\n2 L X+0 Y+0 Z+5 FMAX M3\n3 L Z-1 F200\n4 L X+30 F600\n5 "

@@ -19,8 +19,8 @@ Part pocket() {
       box("POCKET_D3", 20, 12, 28, 18));
 }
 
-resolve::PlanOptions asking(const std::string& strategy, double at_least) {
-  resolve::PlanOptions options = with({"endmill:6"});
+PlanOptions asking(const std::string& strategy, double at_least) {
+  PlanOptions options = with({"endmill:6"});
   options.strategy = strategy;
   options.shop.margin_at_least = at_least;
   return options;
@@ -29,13 +29,13 @@ resolve::PlanOptions asking(const std::string& strategy, double at_least) {
 class MarginOf : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(MarginOf, APlanIsAsWideAsAsked) {
-  resolve::PlanOptions near = asking(GetParam(), 0.0025);
+  PlanOptions near = asking(GetParam(), 0.0025);
   near.shop.margin_uncut = 0.02;
   const PlanResult exact = plan_part(pocket(), near);
   ASSERT_TRUE(exact.margin);
   EXPECT_GE(exact.margin->least()->mm, 0.0025);
   EXPECT_EQ(verdict_of(exact.findings), Verdict::kClean);
-  resolve::PlanOptions wide = asking(GetParam(), 0.02);
+  PlanOptions wide = asking(GetParam(), 0.02);
   wide.shop.margin_uncut = 0.032;
   wide.shop.margin_gouge = 0.02;
   const PlanResult worn = plan_part(pocket(), wide);
@@ -46,7 +46,7 @@ TEST_P(MarginOf, APlanIsAsWideAsAsked) {
 INSTANTIATE_TEST_SUITE_P(Strategies, MarginOf, ::testing::Values("contour", "zigzag", "spiral", "adaptive"));
 
 TEST(MarginPlan, IsInThePicture) {
-  resolve::PlanOptions options = asking("contour", 0.0025);
+  PlanOptions options = asking("contour", 0.0025);
   options.shop.margin_uncut = 0.02;
   const PlanResult result = plan_part(pocket(), options);
   const std::string picture = write_picture(result);
@@ -68,7 +68,7 @@ TEST(MarginPlan, IsRefusedWhereTheBoundsCannotHoldIt) {
 }
 
 TEST(MarginPlan, IsAnOpenConditionWhereAProgramHasLess) {
-  resolve::PlanOptions plain = with({"endmill:6"});
+  PlanOptions plain = with({"endmill:6"});
   plain.strategy = "contour";
   const PlanResult result = plan_part(pocket(), plain);
   EXPECT_FALSE(result.margin);

@@ -46,8 +46,8 @@ Part block_with_holes(const std::string& file, double width, double height) {
                             circle("DRILL_D5", {width - 6, height - 6}, 2));
 }
 
-resolve::PlanOptions on_sheet(const std::string& sheet, std::optional<double> gap = 8) {
-  resolve::PlanOptions options = with({"endmill:4", "drill:4"});
+PlanOptions on_sheet(const std::string& sheet, std::optional<double> gap = 8) {
+  PlanOptions options = with({"endmill:4", "drill:4"});
   options.copies.sheet = sheet;
   options.copies.gap = gap;
   options.copies.edge = 6;
@@ -141,7 +141,7 @@ void expect_apart_on_sheet(const CopiesMade& made, double edge, const Box& sheet
 }
 
 TEST(NestOfKinds, EachKindIsMadeAndEachToolComesOnce) {
-  resolve::PlanOptions options = on_sheet("220x140");
+  PlanOptions options = on_sheet("220x140");
   options.copies.count = 3;
   options.nested = {nested(block_with_pocket("lid.dxf", 30, 24), 2),
                     nested(block_with_holes("bar.dxf", 60, 14), {})};
@@ -194,7 +194,7 @@ RandomSet random_set(Random& random) {
 }
 
 /// Each place of the sheet's program, cut back and moved home, mills its part as the part alone is milled.
-void expect_parts_at_home(const PlanResult& sheet, const RandomSet& set, const resolve::PlanOptions& alone) {
+void expect_parts_at_home(const PlanResult& sheet, const RandomSet& set, const PlanOptions& alone) {
   for (std::size_t k = 0; k < sheet.copies->places.size(); ++k) {
     const Part& part = set.kinds[sheet.copies->places[k].kind];
     const std::string program = program_at_home(sheet, static_cast<int>(k) + 1, part);
@@ -204,8 +204,7 @@ void expect_parts_at_home(const PlanResult& sheet, const RandomSet& set, const r
 }
 
 /// A sheet on which the part of one place is not cut, or is cut beside its place, is at fault for that part.
-void expect_faults_seen(const PlanResult& sheet, const Part& first, const resolve::PlanOptions& asked,
-                        int place) {
+void expect_faults_seen(const PlanResult& sheet, const Part& first, const PlanOptions& asked, int place) {
   const std::string name = fmt::format(".{}", place);
   const auto clean_but_one = [&](const std::string& program) {
     const CheckResult read = check_program(first, program, "sheet.ngc", asked);
@@ -230,10 +229,10 @@ TEST(NestOfKinds, RandomSetsAreMadeAsEachPartIsAlone) {
   for (int round = 0; round < random_nests(); ++round) {
     SCOPED_TRACE(round);
     const RandomSet set = random_set(random);
-    resolve::PlanOptions options =
+    PlanOptions options =
         on_sheet(fmt::format("{:.0f}x{:.0f}", random.between(180, 260), random.between(130, 180)));
-    const resolve::PlanOptions alone = [&] {
-      resolve::PlanOptions one = options;
+    const PlanOptions alone = [&] {
+      PlanOptions one = options;
       one.copies = {};
       return one;
     }();
@@ -263,7 +262,7 @@ TEST(NestOfKinds, RandomSetsAreMadeAsEachPartIsAlone) {
 
 /// The pocket of the one kind that a cutter clears is not out of reach of the drill that the other kinds' program calls.
 TEST(NestOfKinds, AKindWhoseToolIsNeverCalledIsAtFault) {
-  resolve::PlanOptions options = on_sheet("220x130");
+  PlanOptions options = on_sheet("220x130");
   options.copies.count = 2;
   options.nested = {nested(block_with_pocket("lid.dxf", 36.5, 29.5), 1)};
   const Part first = block_with_holes("bar.dxf", 39, 25.6);
@@ -276,7 +275,7 @@ TEST(NestOfKinds, AKindWhoseToolIsNeverCalledIsAtFault) {
 
 /// A part with too narrow a place for its tools is at fault alone, and so is each place of it on a sheet, and no other.
 TEST(NestOfKinds, AKindThatIsFaultyAloneIsFaultyOnTheSheet) {
-  resolve::PlanOptions options = on_sheet("200x120");
+  PlanOptions options = on_sheet("200x120");
   const Part narrow = drawn_as(
       "narrow.dxf",
       box("STOCK_D6", 0, 0, 40, 30) +
@@ -296,7 +295,7 @@ TEST(NestOfKinds, AKindThatIsFaultyAloneIsFaultyOnTheSheet) {
 TEST(NestOfKinds, SubprogramsMakeTheSameParts) {
   for (const char* dialect : {"linuxcnc", "fanuc", "haas", "heidenhain", "siemens"}) {
     SCOPED_TRACE(dialect);
-    resolve::PlanOptions options = on_sheet("200x120");
+    PlanOptions options = on_sheet("200x120");
     options.post.dialect = dialect;
     options.accept.push_back("blending");
     options.copies.count = 2;
@@ -320,7 +319,7 @@ TEST(NestOfKinds, ToolsOfAllKindsAreInOneTable) {
     for (const std::string& tool : tools) part.tools.push_back(resolve::parse_tool(tool));
     return part;
   };
-  resolve::PlanOptions options = on_sheet("200x120");
+  PlanOptions options = on_sheet("200x120");
   options.tools.clear();
   const Part first = with_tools(block_with_pocket("lid.dxf", 40, 30), {"endmill:5:T1"});
   options.copies.count = 1;
@@ -341,7 +340,7 @@ TEST(NestOfKinds, ToolsOfAllKindsAreInOneTable) {
   EXPECT_EQ(read.copies->clean_parts, 4);
 }
 
-std::string nest_refusal(const Part& first, const resolve::PlanOptions& options) {
+std::string nest_refusal(const Part& first, const PlanOptions& options) {
   try {
     plan_part(first, options);
   } catch (const InputError& error) {
@@ -352,7 +351,7 @@ std::string nest_refusal(const Part& first, const resolve::PlanOptions& options)
 
 TEST(NestOfKinds, WhatCannotBeOnOneSheetIsRefused) {
   const Part first = block_with_pocket("lid.dxf", 40, 30);
-  resolve::PlanOptions options = on_sheet("100x60");
+  PlanOptions options = on_sheet("100x60");
   options.copies.count = 1;
   options.nested = {nested(block_with_holes("bar.dxf", 120, 14), 1)};
   EXPECT_THAT(nest_refusal(first, options), HasSubstr("not one part of bar.dxf, 120 by 14 mm, fits"));
@@ -373,7 +372,7 @@ TEST(NestOfKinds, WhatCannotBeOnOneSheetIsRefused) {
 
 /// An option that serves one of the kinds is none too many; one that serves none is refused.
 TEST(NestOfKinds, OptionsServeOneKindAtLeast) {
-  resolve::PlanOptions options = on_sheet("200x120");
+  PlanOptions options = on_sheet("200x120");
   options.tabs.count = 2;
   options.copies.gap = 10;
   options.sources.set("tabs", {Origin::kUser, "--tabs"});
@@ -398,13 +397,13 @@ class FilesOfKinds : public ::testing::Test {
   void write(const std::string& name, const std::string& text) const { std::ofstream(path(name)) << text; }
 
   /// What is asked of the sheet of a job whose [plan] ends in `plan`, with the parts that it names.
-  std::pair<Part, resolve::PlanOptions> asked(const std::string& plan) const {
+  std::pair<Part, PlanOptions> asked(const std::string& plan) const {
     write("sheet.toml",
           "[part]\nfile = \"lid.dxf\"\n[[tool]]\nnumber = 1\nkind = \"endmill\"\ndiameter = 4\n[plan]\n"
           "nest = \"200x100\"\ngap = 8\nedge = 6\ncount = 1\n" +
               plan);
-    const read::JobFile job = read::read_job(path("sheet.toml"));
-    std::pair<Part, resolve::PlanOptions> all{read::part_of_job(job, {}), options_of_job(job)};
+    const JobFile job = read::read_job(path("sheet.toml"));
+    std::pair<Part, PlanOptions> all{read::part_of_job(job, {}), options_of_job(job)};
     all.second.nested = read_nested_parts(all.second, job, {});
     all.second.threads = 1;
     return all;
@@ -456,7 +455,7 @@ TEST_F(FilesOfKinds, MayNotStateAnotherSheet) {
 
 /// Fewer than are wanted: the rest is told by kind.
 TEST(NestOfKinds, WhatIsMissingIsCountedByKind) {
-  resolve::PlanOptions options = on_sheet("110x70");
+  PlanOptions options = on_sheet("110x70");
   options.copies.count = 1;
   options.nested = {nested(block_with_pocket("lid.dxf", 40, 30), 5)};
   const PlanResult planned = plan_part(block_with_holes("bar.dxf", 80, 14), options);

@@ -38,7 +38,7 @@ const std::vector<Vec2> kEll = {{28, 6}, {28, 0}, {70, 0}, {70, 34}, {13, 34}, {
 
 TEST(OpenPockets, LinksOfLowerLayersCrossNothingThatStandsBesideThem) {
   for (const char* strategy : {"contour", "zigzag", "spiral", "adaptive", "tour"}) {
-    resolve::PlanOptions options = with({"endmill:3"});
+    PlanOptions options = with({"endmill:3"});
     options.strategy = strategy;
     options.stepdown = 1.5;
     const PlanResult result = plan_part(open_pocket(kEll, 3, 100), options);
@@ -52,7 +52,7 @@ TEST(OpenPockets, LinksOfLowerLayersCrossNothingThatStandsBesideThem) {
 double cut_round_a_disc(const char* strategy, std::optional<std::string> stepover, bool& clean) {
   std::vector<Vec2> part;
   for (int i = 0; i < 48; ++i) part.push_back(direction_of(-2 * kPi * i / 48) * 25);
-  resolve::PlanOptions options = with({"endmill:6"});
+  PlanOptions options = with({"endmill:6"});
   options.strategy = strategy;
   options.stepover = std::move(stepover);
   const std::string text =
@@ -90,7 +90,7 @@ TEST(OpenPockets, RoundAPartThatTouchesTheirSidesAreClean) {
   std::vector<Vec2> part;
   for (int i = 0; i < 48; ++i) part.push_back(direction_of(-2 * kPi * i / 48) * 30);
   for (const char* strategy : {"contour", "zigzag"}) {
-    resolve::PlanOptions options = with({"endmill:6"});
+    PlanOptions options = with({"endmill:6"});
     options.strategy = strategy;
     const std::string text =
         R"({"name":"outside","units":"mm","top":0,"kind":"open_pocket","depth":3,"outer":)" +
@@ -113,7 +113,7 @@ TEST(OpenPockets, RandomOnesAreCleanInSeveralLayers) {
     const int points = 4 + round % 6;
     for (int i = 0; i < points; ++i)
       corners.push_back(direction_of(2 * kPi * (i + share(random)) / points) * away(random));
-    resolve::PlanOptions options = with({"endmill:4"});
+    PlanOptions options = with({"endmill:4"});
     options.strategy = round % 3 == 0 ? "contour" : round % 3 == 1 ? "zigzag" : "spiral";
     options.stepdown = 2;
     const PlanResult result = plan_part(open_pocket(corners, deep(random), round % 2 == 0 ? 3 : 50), options);

@@ -14,8 +14,8 @@ namespace {
 
 using ::testing::HasSubstr;
 
-resolve::PlanOptions by_contour(const std::string& tool) {
-  resolve::PlanOptions options = with({tool});
+PlanOptions by_contour(const std::string& tool) {
+  PlanOptions options = with({tool});
   options.strategy = "contour";
   return options;
 }
@@ -35,7 +35,7 @@ TEST(OutOfReach, IsSaidWithTheLargestCutterThatReaches) {
 TEST(OutOfReach, IsAPocketDeeperThanTheFlutesBesideWorkThatIsDone) {
   const Part part = drawn(box("POCKET_D2", 0, 0, 20, 10) + box("POCKET_D70", 30, 0, 50, 10));
   for (const bool on_sheet : {false, true}) {
-    resolve::PlanOptions options = by_contour("endmill:5");
+    PlanOptions options = by_contour("endmill:5");
     if (on_sheet) {
       options.copies.sheet = "120x40";
       options.copies.gap = 8;
@@ -83,7 +83,7 @@ TEST(OutOfReach, AcceptedIsNotWhatAGivenToolWouldReach) {
 TEST(OutOfReach, IsAHoleUnderAPocketDeeperThanItsDrill) {
   const Part part = drawn(box("STOCK_D30", -9, -9, 39, 29) + box("POCKET_D5", 0, 0, 30, 20) +
                           circle("DRILL_D20", {15, 10}, 2));
-  const resolve::PlanOptions options = with({"endmill:6", "drill:4:length=12"});
+  const PlanOptions options = with({"endmill:6", "drill:4:length=12"});
   const PlanResult result = plan_part(part, options);
   const CheckResult checked = check_program(part, result.program, "x", options);
   for (const Findings* findings : {&result.findings, &checked.findings}) {
@@ -99,7 +99,7 @@ TEST(OutOfReach, IsAHoleUnderAPocketDeeperThanItsDrill) {
 /// A narrower mill that is too short for the corners which it is asked to mill does not take the pocket away.
 TEST(OutOfReach, IsARestBeyondTheFlutesOfItsMill) {
   const Part part = drawn(box("POCKET_D40", 0, 0, 40, 30));
-  resolve::PlanOptions options = with({"endmill:6", "endmill:3"});
+  PlanOptions options = with({"endmill:6", "endmill:3"});
   options.strategy = "contour";
   options.shop.rest = true;
   const PlanResult result = plan_part(part, options);
@@ -117,7 +117,7 @@ TEST(OutOfReach, IsARestBeyondTheFlutesOfItsMill) {
 TEST(OutOfReach, IsTheChamferOfAPocketThatIsNotMade) {
   const Part part = drawn(box("POCKET_D2", 0, 0, 20, 10) + box("POCKET_D2", 30, 0, 50, 2.5) +
                           box("CHAMFER_D0.4", 30, 0, 50, 2.5));
-  const resolve::PlanOptions options = with({"endmill:3", "chamfer:90deg:8"});
+  const PlanOptions options = with({"endmill:3", "chamfer:90deg:8"});
   const PlanResult result = plan_part(part, options);
   const CheckResult checked = check_program(part, result.program, "x", options);
   for (const Findings* findings : {&result.findings, &checked.findings}) {
@@ -132,7 +132,7 @@ TEST(OutOfReach, IsAConditionOfTheVerdictWhereItIsMuch) {
   // A slot of 2 mm beside a square: most of it is too narrow for the cutter.
   const Part part = drawn(outline(
       "POCKET_D2", {{{0, 0}}, {{10, 0}}, {{10, 4}}, {{40, 4}}, {{40, 6}}, {{10, 6}}, {{10, 10}}, {{0, 10}}}));
-  resolve::PlanOptions options = by_contour("endmill:4");
+  PlanOptions options = by_contour("endmill:4");
   const auto result = plan_part(part, options);
   EXPECT_EQ(verdict_of(result.findings), Verdict::kConditional);
   EXPECT_THAT(result.program, HasSubstr("CONDITIONS: OUT-OF-REACH"));
@@ -145,7 +145,7 @@ TEST(OutOfReach, IsAConditionOfTheVerdictWhereItIsMuch) {
 /// Tabs change nothing about the corners of a profile.
 TEST(OutOfReach, IsTheSameOfProfilesWithTabsAndWithout) {
   const auto conditions = [](const std::string& layer, const std::string& tool, int tabs, TabShape shape) {
-    resolve::PlanOptions options = by_contour(tool);
+    PlanOptions options = by_contour(tool);
     options.tabs.count = tabs;
     options.tabs.shape = shape;
     const auto result = plan_part(drawn(box(layer, 0, 0, 60, 40)), options);
@@ -224,7 +224,7 @@ Part waved_comb() {
 
 TEST(OutOfReach, IsFoundOnOutlinesOfThousandsOfEdges) {
   const Part part = waved_comb();
-  resolve::PlanOptions options = by_contour("endmill:4");
+  PlanOptions options = by_contour("endmill:4");
   options.strategy = "zigzag";
   const auto result = plan_part(part, options);
   ASSERT_EQ(result.findings.conditions.size(), 1u);

@@ -47,15 +47,15 @@ std::string plate(const std::string& edge, const std::string& pocket, const std:
              circle(holes, 72, 42, 3));
 }
 
-read::ReadOptions asking(double depth = 0) {
-  read::ReadOptions options;
+ReadOptions asking(double depth = 0) {
+  ReadOptions options;
   options.ask_if_unclear = true;
   if (depth > 0) options.depth = depth;
   return options;
 }
 
-resolve::PlanOptions with_mill(const std::string& tool, int tabs = 0) {
-  resolve::PlanOptions options;
+PlanOptions with_mill(const std::string& tool, int tabs = 0) {
+  PlanOptions options;
   options.tools = {resolve::parse_tool(tool)};
   options.strategy = "contour";
   options.tabs.count = tabs;
@@ -74,7 +74,7 @@ bool has(const Findings& findings, FaultKind kind) {
                      [&](const Fault& fault) { return fault.kind == kind; });
 }
 
-std::string refusal(const std::string& text, const read::ReadOptions& options) {
+std::string refusal(const std::string& text, const ReadOptions& options) {
   try {
     read::read_part_text(text, "plate.dxf", options);
   } catch (const InputError& error) {
@@ -83,8 +83,8 @@ std::string refusal(const std::string& text, const read::ReadOptions& options) {
   return "";
 }
 
-read::LayerRule asked(read::LayerRole role, const std::string& pattern) {
-  read::LayerRule rule;
+LayerRule asked(LayerRole role, const std::string& pattern) {
+  LayerRule rule;
   rule.role = role;
   rule.pattern = pattern;
   rule.asked = true;
@@ -109,7 +109,7 @@ TEST(DrawingRoles, SeveralOuterOutlinesThatAllHoldOthersAreAskedAbout) {
   EXPECT_THAT(question, HasSubstr("holds 1 other, as each of 2 outermost outlines does"));
   EXPECT_THAT(question, HasSubstr("--op profile:outer"));
   auto options = asking(6);
-  options.layer_rules = {asked(read::LayerRole::kProfile, "outer")};
+  options.layer_rules = {asked(LayerRole::kProfile, "outer")};
   EXPECT_EQ(read::read_part_text(two(""), "plate.dxf", options).features.size(), 4u);
   // One that stands alone among them takes the question not away.
   EXPECT_THAT(refusal(two(rectangle("0", 200, 0, 220, 20)), asking(6)),
@@ -125,8 +125,8 @@ TEST(DrawingRoles, PlainOutlinesBesideEachOtherAreAskedAbout) {
   EXPECT_THAT(question, HasSubstr("--op pocket:outer"));
   EXPECT_THAT(refusal(dxf(circle("0", 0, 0, 15) + circle("0", 40, 0, 15)), asking(6)),
               HasSubstr("2 outlines beside each other"));
-  for (const auto& [role, kind] : {std::pair{read::LayerRole::kProfile, FeatureKind::kOutsideProfile},
-                                   {read::LayerRole::kPocket, FeatureKind::kClosedPocket}}) {
+  for (const auto& [role, kind] : {std::pair{LayerRole::kProfile, FeatureKind::kOutsideProfile},
+                                   {LayerRole::kPocket, FeatureKind::kClosedPocket}}) {
     auto options = asking(6);
     options.layer_rules = {asked(role, "outer")};
     const Part part = read::read_part_text(dxf(plates), "plate.dxf", options);
@@ -153,7 +153,7 @@ TEST(DrawingRoles, IslandsOfAnOuterPocketMayLieOnOtherLayers) {
   options.ask_if_unclear = false;  // shallow pockets in deeper ones are asked about
   options.depth.reset();
   options.depth_if_missing = 6;
-  options.layer_rules = {asked(read::LayerRole::kPocket, "outer")};
+  options.layer_rules = {asked(LayerRole::kPocket, "outer")};
   const Part part = read::read_part_text(text, "plate.dxf", options);
   const double island = 80 * 50 - kPi * 128, whole = 80 * 50;
   ASSERT_EQ(part.features.size(), 5u);
@@ -175,7 +175,7 @@ TEST(DrawingRoles, AnOutlineInAPocketOfAnotherLayerIsAskedAbout) {
   // Somebody has said something of outlines, so that what the outermost are is no question any more.
   const auto without = [](const std::string& number) {
     auto options = asking(6);
-    options.layer_rules = {asked(read::LayerRole::kIgnore, number)};
+    options.layer_rules = {asked(LayerRole::kIgnore, number)};
     return options;
   };
   const std::string question = refusal(text, without("3"));
@@ -186,16 +186,16 @@ TEST(DrawingRoles, AnOutlineInAPocketOfAnotherLayerIsAskedAbout) {
       dxf(rectangle("A", 0, 0, 80, 50) + circle("B", 20, 20, 8) + circle("D", 20, 20, 3) +
           circle("E", 60, 20, 8) + rectangle("C", 100, 0, 120, 20));
   EXPECT_THAT(refusal(more, without("5")), HasSubstr("; the same has to be said of D (in A), E (in A)"));
-  read::DrawingOverview overview;
+  DrawingOverview overview;
   auto looking = without("3");
   looking.overview = &overview;
   read::read_part_text(text, "plate.dxf", looking);
   EXPECT_THAT(overview.question, HasSubstr("--op island:B"));
   auto options = asking(6);
-  options.layer_rules = {asked(read::LayerRole::kIsland, "B")};
+  options.layer_rules = {asked(LayerRole::kIsland, "B")};
   EXPECT_NEAR(area(read::read_part_text(text, "plate.dxf", options).features[0].target), 4000 - 64 * kPi,
               1e-6);
-  options.layer_rules = {asked(read::LayerRole::kPocket, "B"), asked(read::LayerRole::kIgnore, "3")};
+  options.layer_rules = {asked(LayerRole::kPocket, "B"), asked(LayerRole::kIgnore, "3")};
   EXPECT_NEAR(area(read::read_part_text(text, "plate.dxf", options).features[0].target), 4000, 1e-6);
   // The same outline on two layers is one.
   EXPECT_EQ(refusal(dxf(rectangle("A", 0, 0, 80, 50) + rectangle("B", 0, 0, 80, 50)), asking(6)), "");
@@ -208,11 +208,11 @@ TEST(DrawingRoles, AnOuterOutlineThatHoldsOthersIsAskedAbout) {
   EXPECT_THAT(question, HasSubstr("--op profile:outer"));
   EXPECT_THAT(question, HasSubstr("--op pocket:outer"));
   auto options = asking(6);
-  options.layer_rules = {asked(read::LayerRole::kPocket, "outer")};
+  options.layer_rules = {asked(LayerRole::kPocket, "outer")};
   EXPECT_EQ(read::read_part_text(text, "plate.dxf", options).features.size(), 1u);
-  options.layer_rules = {asked(read::LayerRole::kProfile, "outer")};
+  options.layer_rules = {asked(LayerRole::kProfile, "outer")};
   EXPECT_EQ(read::read_part_text(text, "plate.dxf", options).features.size(), 4u);
-  options.layer_rules = {asked(read::LayerRole::kProfile, "NO_SUCH")};
+  options.layer_rules = {asked(LayerRole::kProfile, "NO_SUCH")};
   EXPECT_THAT(refusal(text, options), HasSubstr("no layer or outline is called 'NO_SUCH'"));
   // The layer of the edge alone says nothing, too.
   EXPECT_THAT(refusal(plate("0", "POCKET_D3", "DRILL_D6"), asking(6)), HasSubstr("holds 3 others"));
@@ -248,7 +248,7 @@ TEST(DrawingRoles, OutlinesAtTheEdgeOfTheStockAreOpenThere) {
           "islands": [[[4, 4], [4, 36], [56, 36], [56, 4]]]}]})";
   // The cutter may leave the block: its corners are no corners of a wall.
   for (const char* strategy : {"contour", "zigzag", "spiral", "adaptive"}) {
-    resolve::PlanOptions options = with_mill("endmill:2");
+    PlanOptions options = with_mill("endmill:2");
     options.strategy = strategy;
     const auto result = plan_part(read::read_part_text(frame, "frame.json", {}), options);
     EXPECT_TRUE(result.findings.all.clean) << strategy;
@@ -265,18 +265,18 @@ TEST(DrawingRoles, OutlinesAtTheEdgeOfTheStockAreOpenThere) {
 
 TEST(DrawingRoles, NumbersChooseOutlines) {
   auto options = asking(6);
-  read::DrawingOverview overview;
+  DrawingOverview overview;
   options.overview = &overview;
   read::read_part_text(plate("0", "0", "0"), "plate.dxf", options);
   ASSERT_EQ(overview.outlines.size(), 4u);
   EXPECT_EQ(overview.outlines[0].number, 1);
   EXPECT_THAT(overview.question, HasSubstr("--op profile:outer"));
   options.overview = nullptr;
-  options.layer_rules = {asked(read::LayerRole::kProfile, "1"), asked(read::LayerRole::kInside, "2")};
+  options.layer_rules = {asked(LayerRole::kProfile, "1"), asked(LayerRole::kInside, "2")};
   const Part part = read::read_part_text(plate("0", "0", "0"), "plate.dxf", options);
   EXPECT_EQ(part.features.back().kind, FeatureKind::kOutsideProfile);
   EXPECT_EQ(part.features[part.features.size() - 2].kind, FeatureKind::kInsideProfile);
-  options.layer_rules = {asked(read::LayerRole::kProfile, "9")};
+  options.layer_rules = {asked(LayerRole::kProfile, "9")};
   EXPECT_THAT(refusal(plate("0", "0", "0"), options), HasSubstr("there is no outline 9"));
 }
 
@@ -286,12 +286,12 @@ TEST(DrawingRoles, OpenLinesAloneMayBeFollowed) {
   EXPECT_THAT(refusal(open, asking(6)), HasSubstr("--op engrave:'*'"));
   auto options = asking(6);
   options.depth.reset();
-  read::DrawingOverview overview;
+  DrawingOverview overview;
   options.overview = &overview;
   read::read_part_text(open, "plate.dxf", options);
   EXPECT_THAT(overview.question, HasSubstr("--op engrave:'*'"));
   overview = {};
-  options.layer_rules = {asked(read::LayerRole::kEngrave, "*")};
+  options.layer_rules = {asked(LayerRole::kEngrave, "*")};
   read::read_part_text(open, "plate.dxf", options);
   EXPECT_EQ(overview.lines, 2);
   EXPECT_FALSE(overview.lines_have_depths);
@@ -320,7 +320,7 @@ TEST(DrawingRoles, OddSizesAndOpenLinesAreQuestioned) {
   const std::string open = dxf(rectangle("POCKET", 0, 0, 40, 30) + line("CENTRE", -5, 15, 45, 15));
   EXPECT_THAT(refusal(open, asking(6)), HasSubstr("--open-curves skip"));
   auto options = asking(6);
-  options.open_curves = read::OpenCurves::kSkip;
+  options.open_curves = OpenCurves::kSkip;
   EXPECT_EQ(read::read_part_text(open, "plate.dxf", options).features.size(), 1u);
 }
 
@@ -488,7 +488,7 @@ TEST(Tabs, NeedNoMoreOfASideThanTheirWidthAndTheCuttersDiameter) {
   for (const double side : {8.8, 10.0}) {
     const Part part =
         read::read_part_text(dxf(rectangle("PROFILE_D3", 0, 0, side, side)), "small.dxf", asking());
-    resolve::PlanOptions options = with_mill("endmill:3", 4);
+    PlanOptions options = with_mill("endmill:3", 4);
     options.tabs.width = 4;
     const auto result = plan_part(part, options);
     EXPECT_EQ(faults_of(result.findings), "") << side;

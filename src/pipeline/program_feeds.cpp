@@ -29,8 +29,8 @@ read::gcode::CompensationValues compensation_values(std::vector<Tool> tools, con
 
 }  // namespace
 
-read::gcode::ReadControllerOptions reading_of(const resolve::PlanOptions& options,
-                                              const std::vector<Tool>& tools, const std::string& file) {
+read::gcode::ReadControllerOptions reading_of(const PlanOptions& options, const std::vector<Tool>& tools,
+                                              const std::string& file) {
   read::gcode::ReadControllerOptions reading;
   reading.home_z = home_z(options.machine);
   reading.places = options.machine.places;
@@ -65,7 +65,7 @@ std::map<int, MmPerMin> usual_feeds(const Toolpath& toolpath) {
 }
 
 CheckResult checked(const ProgramQuestion& question, const std::string& program, const std::string& name,
-                    const resolve::PlanOptions& options, const std::map<int, MmPerMin>& reference_feeds) {
+                    const PlanOptions& options, const std::map<int, MmPerMin>& reference_feeds) {
   return question.part
              ? check_program(*question.part, program, name, options, question.dialect, reference_feeds)
              : check_program_alone(question.stock, program, name, options, question.dialect, question.top,
@@ -73,7 +73,7 @@ CheckResult checked(const ProgramQuestion& question, const std::string& program,
 }
 
 /// The moves of `toolpath` with the feeds allowed by the rule; their lengths are unchanged.
-Toolpath with_feeds_by_load(Toolpath toolpath, const Part& part, const resolve::PlanOptions& options,
+Toolpath with_feeds_by_load(Toolpath toolpath, const Part& part, const PlanOptions& options,
                             const ProgramFeeds& feeds, const std::map<int, MmPerMin>& usual) {
   std::vector<double> radii;
   for (const Tool& tool : part.tools) radii.push_back(tool.radius());
@@ -206,19 +206,19 @@ int line_above(const Toolpath& planned, const Toolpath& read) {
 }  // namespace
 
 ProgramFeeds feeds_of_program(const ProgramQuestion& question, const std::string& program,
-                              const std::string& program_name, const resolve::PlanOptions& options) {
+                              const std::string& program_name, const PlanOptions& options) {
   if (!options.shop.feed_by)
     throw InputError("--feed-by", "say what the feeds follow: --feed-by chip or --feed-by removal");
   ProgramFeeds feeds;
-  resolve::PlanOptions plain = options;
+  PlanOptions plain = options;
   plain.shop.feed_by.reset();
   plain.shop.reference_engagement_deg.reset();
   plain.shop.reference_feed.reset();
   plain.shop.feed_cap.reset();
   feeds.before = checked(question, program, program_name, plain, {});
-  if (feeds.before.dialect == read::gcode::Dialect::kHeidenhain)
+  if (feeds.before.dialect == Dialect::kHeidenhain)
     throw InputError(program_name, "feeds of Klartext are not rewritten; give a program in G-code");
-  const bool is_siemens = feeds.before.dialect == read::gcode::Dialect::kSiemens;
+  const bool is_siemens = feeds.before.dialect == Dialect::kSiemens;
   const int line_of_call = feeds.before.control.calls.empty() ? 0 : 1;
   if (const int line = is_siemens ? std::max(read::gcode::first_language_line(program), line_of_call)
                                   : read::gcode::first_macro_line(program))

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "options/program_question.h"
 #include "pipeline/check.h"
 #include "read/gcode/program/program.h"
 #include "resolve/values/plan_options.h"
@@ -15,24 +16,8 @@ namespace clearcut::pipeline {
 
 /// The machine's places, the subprograms beside the file, and the radii of `tools` for programs with cutter compensation; tools
 /// without a number have the number that a plan gives them. Dialect, safe height and tools by hand are the caller's.
-read::gcode::ReadControllerOptions reading_of(const resolve::PlanOptions& options,
-                                              const std::vector<Tool>& tools, const std::string& file);
-
-/// Basis of a program's check: a part, or only a stock.
-struct ProgramQuestion {
-  const Part* part = nullptr;  ///< null: there is none
-  std::optional<Stock> stock;  ///< without a part; absent: the box of all cuts
-  std::optional<double> top;   ///< mm, likewise
-  std::optional<read::gcode::Dialect> dialect;
-};
-
-struct ProgramFeeds {
-  std::string program;                        ///< with other F words
-  CheckResult before;                         ///< check of the original program
-  CheckResult after;                          ///< check of `program`, read back
-  int words_before = 0, words_after = 0;      ///< F words
-  std::map<int, MmPerMin> reference_feeds{};  ///< meant at the reference, by tool
-};
+read::gcode::ReadControllerOptions reading_of(const PlanOptions& options, const std::vector<Tool>& tools,
+                                              const std::string& file);
 
 /// Level moves at the tool's usual feed (the feed of the greatest part of its cutting length) are raised to the feed
 /// allowed by the rule of `options.shop.feed_by` over their whole block, at most to the cap; every feed above the
@@ -41,6 +26,6 @@ struct ProgramFeeds {
 /// Throws InputError if no rule is requested, for Klartext, for a program refused by the reader, and if the moves of
 /// the new text differ from those of the old one.
 ProgramFeeds feeds_of_program(const ProgramQuestion& question, const std::string& program,
-                              const std::string& program_name, const resolve::PlanOptions& options);
+                              const std::string& program_name, const PlanOptions& options);
 
 }  // namespace clearcut::pipeline

@@ -37,10 +37,10 @@ std::vector<plan::contour::ContourStep> published_contours(const Section& sectio
 
 }  // namespace
 
-std::vector<report::ContourLevels> contours_of(const Toolpath& toolpath, const ResolvedPlan& plan) {
-  std::vector<report::ContourLevels> contours;
+std::vector<ContourLevels> contours_of(const Toolpath& toolpath, const ResolvedPlan& plan) {
+  std::vector<ContourLevels> contours;
   for (const Section& section : toolpath.sections) {
-    report::ContourLevels levels{section.label, section.contours, {}};
+    ContourLevels levels{section.label, section.contours, {}};
     const auto published = published_contours(section, plan);
     if (!published.empty()) levels.from_wall.clear();
     for (const auto& contour : published) {
@@ -57,7 +57,7 @@ std::vector<report::ContourLevels> contours_of(const Toolpath& toolpath, const R
   return contours;
 }
 
-void report_rho(const std::vector<report::ContourLevels>& contours, const ResolvedPlan& plan, Part& part) {
+void report_rho(const std::vector<ContourLevels>& contours, const ResolvedPlan& plan, Part& part) {
   const auto is_rho = [](const ResolvedStep& step) { return step.strategy && step.strategy->name == "rho"; };
   if (!std::any_of(plan.steps.begin(), plan.steps.end(), is_rho)) return;
   for (const auto& levels : contours) {
@@ -116,7 +116,7 @@ std::string margin_line(const Margin& margin) {
 namespace {
 
 verify::CheckedProgram checked(const Part& part, const Toolpath& toolpath, const ControlTable& control,
-                               const resolve::PlanOptions& options) {
+                               const PlanOptions& options) {
   return verify::checked_program(part, toolpath, options.machine,
                                  options.earlier ? &*options.earlier : nullptr, &control);
 }
@@ -130,7 +130,7 @@ MoveFigures figures_of(const verify::CheckedMove& move) {
 }  // namespace
 
 std::vector<double> times_of_moves(const Part& part, const Toolpath& toolpath, const ControlTable& control,
-                                   const resolve::PlanOptions& options) {
+                                   const PlanOptions& options) {
   std::vector<double> times;
   for (const verify::CheckedMove& move : checked(part, toolpath, control, options).moves) {
     if (!move.earlier) times.push_back(move.time_s);
@@ -139,7 +139,7 @@ std::vector<double> times_of_moves(const Part& part, const Toolpath& toolpath, c
 }
 
 std::vector<MoveFigures> figures_of_moves(const Part& part, const Toolpath& toolpath,
-                                          const ControlTable& control, const resolve::PlanOptions& options) {
+                                          const ControlTable& control, const PlanOptions& options) {
   verify::CheckedProgram program = checked(part, toolpath, control, options);
   verify::measure_load(part, program.moves, {options.tol, options.engagement_deg, {}, options.cancel});
   std::vector<MoveFigures> figures;

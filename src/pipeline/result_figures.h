@@ -9,6 +9,7 @@
 #include "model/control.h"
 #include "model/move.h"
 #include "model/options/resolved_plan.h"
+#include "model/results/check_result.h"
 #include "model/results/findings.h"
 #include "model/results/margin.h"
 #include "report/result.h"
@@ -18,10 +19,10 @@ namespace clearcut::pipeline {
 
 /// Contours of each section planned by contours, with coefficients if a published method derives its steps from
 /// angles (CPO-kappa, CPO-rho).
-std::vector<report::ContourLevels> contours_of(const Toolpath& toolpath, const ResolvedPlan& plan);
+std::vector<ContourLevels> contours_of(const Toolpath& toolpath, const ResolvedPlan& plan);
 
 /// Notes the coefficient computed by the rule of CPO-rho, the result of that paper.
-void report_rho(const std::vector<report::ContourLevels>& contours, const ResolvedPlan& plan, Part& part);
+void report_rho(const std::vector<ContourLevels>& contours, const ResolvedPlan& plan, Part& part);
 
 /// A program as read.
 struct ProgramRead {
@@ -37,21 +38,13 @@ std::optional<Margin> margin_asked(const ProgramRead& program, const ResolvedPla
 /// One sentence for people: "margin: holds for 0.0034 mm of machine error; ...".
 std::string margin_line(const Margin& margin);
 
-struct MoveFigures {
-  double time_s = 0;               ///< kinematic, with the waits before the move
-  double max_engagement_deg = 0;   ///< 0 without a cut, and for entries
-  double mean_engagement_deg = 0;  ///< over the length in contact
-  double cutting_mm = 0;           ///< length in contact with material
-  double air_mm = 0;               ///< length below the stock's top without contact
-};
-
 /// The times of all moves, section after section, s. Cost O(moves).
 std::vector<double> times_of_moves(const Part& part, const Toolpath& toolpath, const ControlTable& control,
-                                   const resolve::PlanOptions& options);
+                                   const PlanOptions& options);
 
 /// Figures of all moves, section after section; `part`, `toolpath` and `control` are those of a PlanResult or
 /// CheckResult. Throws Cancelled. Cost as the engagement of the certificate: O(feed length / step).
 std::vector<MoveFigures> figures_of_moves(const Part& part, const Toolpath& toolpath,
-                                          const ControlTable& control, const resolve::PlanOptions& options);
+                                          const ControlTable& control, const PlanOptions& options);
 
 }  // namespace clearcut::pipeline

@@ -24,7 +24,7 @@ Part star() {
 }
 
 double seconds_of(const std::string& strategy) {
-  resolve::PlanOptions options = with({"endmill:6"});
+  PlanOptions options = with({"endmill:6"});
   options.strategy = strategy;
   options.cutting.feed = MmPerMin::of(3000);
   options.post.dialect = "linuxcnc";

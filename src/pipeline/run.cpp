@@ -82,7 +82,7 @@ std::size_t candidates_in(const std::vector<SelectionStep>& steps) {
 }
 
 /// Refuses impossible requests, and reports requests without effect.
-void look_at_what_is_asked(const ResolvedPlan& plan, const resolve::PlanOptions& options, Part& part) {
+void look_at_what_is_asked(const ResolvedPlan& plan, const PlanOptions& options, Part& part) {
   resolve::refuse_what_cannot_be(part, options);
   refuse_options_for_others(plan, options);
   refuse_beyond_machine(plan);
@@ -257,7 +257,7 @@ void complete_verdict(const Toolpath& toolpath, const ResolvedPlan& plan, PlanRe
   sign(result, toolpath, plan);
 }
 
-PlanResult plan_one_part(const Part& part, const resolve::PlanOptions& options) {
+PlanResult plan_one_part(const Part& part, const PlanOptions& options) {
   const KeptClearances kept;
   const StrategyTable& strategies = strategies_of(options);
   const ResolvedPlan plan = resolve::resolve_possible(part, options, strategies);

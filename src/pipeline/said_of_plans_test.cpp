@@ -10,7 +10,7 @@ namespace {
 
 /// What an inner cut-out frees is a fault of nobody, but tabs that were asked for and are not there leave the verdict open.
 TEST(WhatPlansSay, TabsThatFitNowhereInACutOutAreACondition) {
-  resolve::PlanOptions options = with({"endmill:3"});
+  PlanOptions options = with({"endmill:3"});
   options.tabs.count = 2;
   const PlanResult result = plan_part(drawn(box("INSIDE_D5", 0, 0, 8, 8)), options);
   EXPECT_EQ(verdict_of(result.findings), Verdict::kConditional) << faults_of(result.findings);
@@ -20,14 +20,14 @@ TEST(WhatPlansSay, TabsThatFitNowhereInACutOutAreACondition) {
 
 /// Whether a profile goes through is known where the stock is; without it a note says what would follow.
 TEST(WhatPlansSay, AProfileThatNothingHoldsIsSaidWithoutAStockToo) {
-  const auto notes = [](const std::string& more, const resolve::PlanOptions& options) {
+  const auto notes = [](const std::string& more, const PlanOptions& options) {
     std::string text;
     const PlanResult result = plan_part(drawn(box("PROFILE_D3", 0, 0, 30, 20) + more), options);
     for (const Diagnostic& one : result.part.diagnostics.items())
       if (one.what.find("nothing holds what is cut out") != std::string::npos) text += one.where + "\n";
     return text;
   };
-  resolve::PlanOptions options = with({"endmill:3"});
+  PlanOptions options = with({"endmill:3"});
   EXPECT_EQ(notes("", options), "PROFILE_D3\n");
   EXPECT_EQ(notes(box("STOCK_D3", -9, -9, 39, 29), options), "") << "the condition says it";
   options.accept = {"loose-part"};
@@ -52,12 +52,11 @@ TEST(WhatPlansSay, APocketNoDeeperThanWhatMayStayIsSaid) {
 
 /// Marlin has no word for tools: the plan says so as the check of its program does.
 TEST(WhatPlansSay, APlanForMarlinSaysThatItsToolsArePutInByHand) {
-  resolve::PlanOptions options = with({"endmill:6", "endmill:3"});
+  PlanOptions options = with({"endmill:6", "endmill:3"});
   options.post.dialect = "marlin";
   const Part part = drawn(box("POCKET_D3", 0, 0, 30, 20) + box("POCKET_D3", 40, 0, 45, 20));
   const PlanResult result = plan_part(part, options);
-  const CheckResult checked =
-      check_program(part, result.program, "x.gcode", options, read::gcode::Dialect::kMarlin);
+  const CheckResult checked = check_program(part, result.program, "x.gcode", options, Dialect::kMarlin);
   const auto is_by_hand = [](const Condition& one) { return one.name == "tool-by-hand"; };
   for (const Findings* findings : {&result.findings, &checked.findings})
     EXPECT_EQ(std::count_if(findings->conditions.begin(), findings->conditions.end(), is_by_hand), 1);
@@ -65,7 +64,7 @@ TEST(WhatPlansSay, APlanForMarlinSaysThatItsToolsArePutInByHand) {
 
 /// Rest of what is milled is cut before the profile that frees the part.
 TEST(WhatPlansSay, RestStepsComeBeforeWhatFreesThePart) {
-  resolve::PlanOptions options = with({"endmill:6", "endmill:3"});
+  PlanOptions options = with({"endmill:6", "endmill:3"});
   options.shop.rest = true;
   const PlanResult result =
       plan_part(drawn(box("STOCK_D6", -20, -20, 60, 50) + box("POCKET_D2", 0, 0, 30, 20) +
@@ -80,9 +79,8 @@ TEST(WhatChecksSay, FaultsWithinSubprogramsTellTheCalls) {
       "%\nO0001\nG21 G17 G90 G94 G40 G80 G61\nT1 M6\nG54\nS6000 M3\nG0 G43 H1 Z10.\nG0 X10. Y10.\nM98 "
       "P2000\nM30\n"
       "O2000\nG0 Z-3.\nG1 X20. F200.\nG0 Z10.\nM99\n%\n";
-  const CheckResult checked =
-      check_program_alone(resolve::parse_stock("0:40,0:30,-10:0"), program, "called.nc", with({"endmill:6"}),
-                          read::gcode::Dialect::kFanuc);
+  const CheckResult checked = check_program_alone(resolve::parse_stock("0:40,0:30,-10:0"), program,
+                                                  "called.nc", with({"endmill:6"}), Dialect::kFanuc);
   const auto found =
       std::find_if(checked.findings.faults.begin(), checked.findings.faults.end(),
                    [](const Fault& fault) { return fault.kind == FaultKind::kRapidInMaterial; });

@@ -16,7 +16,7 @@ namespace {
 constexpr double kLimitRounding = 1e-3;
 
 /// "--engagement", or the line of the job that states it.
-std::string place_of_engagement(const resolve::PlanOptions& options) {
+std::string place_of_engagement(const PlanOptions& options) {
   const Source* source = options.sources.find("engagement");
   const bool is_job = source && source->origin == Origin::kJobFile;
   return is_job ? source->text + ": engagement" : "--engagement";
@@ -69,7 +69,7 @@ void refuse_beyond_machine(const ResolvedPlan& plan) {
 }
 
 void refuse_exceeded_engagement(const PlanResult& result, const ResolvedPlan& plan,
-                                const resolve::PlanOptions& options) {
+                                const PlanOptions& options) {
   const auto exceeds = [&](const FeatureFindings& step) {
     const auto& faults = result.findings.faults;
     return exceeds_engagement(step, plan) &&

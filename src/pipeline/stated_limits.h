@@ -18,6 +18,6 @@ void refuse_beyond_machine(const ResolvedPlan& plan);
 /// cut at the full width of the cutter, and a stated strategy may begin with such cuts. A program that holds the limit
 /// nevertheless is right.
 void refuse_exceeded_engagement(const PlanResult& result, const ResolvedPlan& plan,
-                                const resolve::PlanOptions& options);
+                                const PlanOptions& options);
 
 }  // namespace clearcut::pipeline

@@ -12,7 +12,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-std::string refused(const Part& part, const resolve::PlanOptions& options) {
+std::string refused(const Part& part, const PlanOptions& options) {
   try {
     return std::string("not refused: ") + name_of(verdict_of(plan_part(part, options).findings));
   } catch (const InputError& error) {
@@ -20,8 +20,8 @@ std::string refused(const Part& part, const resolve::PlanOptions& options) {
   }
 }
 
-resolve::PlanOptions under_limit(const std::string& tool, const std::string& strategy, double degrees) {
-  resolve::PlanOptions options = with({tool});
+PlanOptions under_limit(const std::string& tool, const std::string& strategy, double degrees) {
+  PlanOptions options = with({tool});
   options.strategy = strategy;
   options.engagement_deg = degrees;
   return options;
@@ -54,7 +54,7 @@ TEST(StatedLimits, PlacesWithoutRoomToHoldTheEngagementAreRefused) {
         HasSubstr("POCKET_D2 would engage the cutter by 180 degrees where 90 are the limit: T1 (6 mm) has no "
                   "room there to hold it; take a narrower cutter"));
   }
-  resolve::PlanOptions options = with({"endmill:6", "threadmill:10"});
+  PlanOptions options = with({"endmill:6", "threadmill:10"});
   options.engagement_deg = 60;
   EXPECT_THAT(refused(drawn(circle("THREAD_M16_D6", {0, 0}, 8)), options),
               HasSubstr("a thread is milled to its full"));
@@ -74,7 +74,7 @@ TEST(StatedLimits, FacesAreClearedWithinTheEngagement) {
 
 TEST(StatedLimits, SpindleSpeedsBeyondTheMachineAreRefused) {
   const Part part = drawn(box("POCKET_D2", 0, 0, 24, 18));
-  resolve::PlanOptions options = with({"endmill:6"});
+  PlanOptions options = with({"endmill:6"});
   options.machine.max_spindle_rpm = 6000;
   options.cutting.spindle_rpm = 9000;
   EXPECT_THAT(refused(part, options),
@@ -85,7 +85,7 @@ TEST(StatedLimits, SpindleSpeedsBeyondTheMachineAreRefused) {
 
 TEST(StatedLimits, AFeatureNoDeeperThanTheStockToLeaveIsRefused) {
   const Part part = drawn(box("POCKET_D0.3", 0, 0, 24, 18));
-  resolve::PlanOptions options = with({"endmill:6"});
+  PlanOptions options = with({"endmill:6"});
   options.allowance_floor = 0.3;
   EXPECT_THAT(refused(part, options),
               HasSubstr("POCKET_D0.3: it is 0.3 mm deep and 0.3 mm are to be left on its floor"));
@@ -104,7 +104,7 @@ TEST(StatedLimits, StockForCoarseDigitsLeavesNothingUncutWherePlacesNarrowDown) 
   const char* const text =
       R"({"units": "mm", "pockets": [{"name": "A", "top": 0, "depth": 1.51, "outer": [[0, 6.83, 1], [13.66, 6.83, 1]],
       "islands": [[[4.098, 2.604], [6.147, 2.604], [6.147, 5.208], [4.098, 5.208]]]}]})";
-  resolve::PlanOptions options = with({"bullnose:4:corner=0.5"});
+  PlanOptions options = with({"bullnose:4:corner=0.5"});
   options.strategy = "contour";
   options.post.dialect = "haas";
   options.post.inch = true;
@@ -119,7 +119,7 @@ TEST(StatedLimits, ATaperedMillIsNotChosenWhereSteeperWallsMeetLeaningOnes) {
       R"({"units": "mm", "pockets": [
       {"name": "A", "top": 0, "depth": 1.5, "slope_rad": 0.18, "outer": [[0, 0], [18.87, 0], [18.87, 6.5], [0, 6.5]]},
       {"name": "B", "top": 0, "depth": 2.4, "outer": [[16.87, 0], [25.5, 0], [25.5, 17.8], [16.87, 17.8]]}]})";
-  resolve::PlanOptions options = with({"endmill:1.5", "tapered:2:taper=5deg:length=12"});
+  PlanOptions options = with({"endmill:1.5", "tapered:2:taper=5deg:length=12"});
   options.strategy = "contour";
   options.accept = {"out-of-reach"};
   const PlanResult plan = plan_part(read::read_part_text(text, "part.json", {}), options);
@@ -133,7 +133,7 @@ TEST(StatedLimits, StockToLeaveOnAFloorIsNotMetByAWallThatAnotherPocketCutsAway)
       {"name": "L", "top": 0, "depth": 3, "slope_rad": 0.035, "outer": [[0, 0], [18, 0], [18, 12], [0, 12]]},
       {"name": "U", "top": 0, "depth": 3.4, "outer": [[16, 0], [29, 0], [29, 15], [16, 15]]},
       {"name": "C", "top": 0, "depth": 2, "outer": [[40, 0], [54, 0], [54, 14], [40, 14]]}]})";
-  resolve::PlanOptions options = with({"endmill:4"});
+  PlanOptions options = with({"endmill:4"});
   options.strategy = "contour";
   options.allowance_floor = 0.3;
   options.accept = {"out-of-reach"};

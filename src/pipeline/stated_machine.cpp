@@ -18,7 +18,7 @@ Machine with_typed(Machine machine, const TypedMachine& typed) {
   return machine;
 }
 
-void accept_what_is_held(const Sources& of_machine, resolve::PlanOptions& options) {
+void accept_what_is_held(const Sources& of_machine, PlanOptions& options) {
   if (of_machine.find("holding")) options.accept.emplace_back("loose-part");
 }
 

@@ -7,16 +7,10 @@
 #include <string_view>
 
 #include "model/machine.h"
+#include "options/typed_machine.h"
 #include "resolve/values/plan_options.h"
 
 namespace clearcut::pipeline {
-
-/// Values of a machine that are typed besides it.
-struct TypedMachine {
-  const std::optional<std::string>& kind;          ///< --machine-kind
-  const Machine& values;                           ///< of which those count that were typed
-  std::function<bool(std::string_view)> is_typed;  ///< by the name of the option
-};
 
 /// `machine` with the usual values of the typed kind where it states none, and with the typed values, which go before those of single
 /// axes.
@@ -24,6 +18,6 @@ Machine with_typed(Machine machine, const TypedMachine& typed);
 
 /// A machine file, or a job's machine table, with the key `holding` states how loose parts are held, and so meets the condition
 /// `loose-part`. `of_machine`: the sources of its values.
-void accept_what_is_held(const Sources& of_machine, resolve::PlanOptions& options);
+void accept_what_is_held(const Sources& of_machine, PlanOptions& options);
 
 }  // namespace clearcut::pipeline

@@ -182,7 +182,7 @@ TEST(StatedToolpathPlans, RandomPartsComeBackToTheDigit) {
 }
 
 /// The block about the origin, so that it lies as before when it is turned over.
-post::WrittenSetup random_setup(Random& random, const SetupPlace& place) {
+WrittenSetup random_setup(Random& random, const SetupPlace& place) {
   const PlanResult result = plan_part(random_part(random, kPlateBox.max * -0.5, 10), {});
   return {result.part, result.planned, place};
 }
@@ -193,12 +193,12 @@ TEST(StatedToolpathPlans, SeveralSetupsComeBackToTheDigit) {
   Random random(11);
   for (int i = 0; i < parts; ++i) {
     const SetupPlace over = *place_with_up("-Z", random.unit() < 0.5 ? 0 : 180);
-    const std::vector<post::WrittenSetup> setups{random_setup(random, {}), random_setup(random, over)};
+    const std::vector<WrittenSetup> setups{random_setup(random, {}), random_setup(random, over)};
     const std::string text = post::write_stepnc(setups);
     for (int number = 1; number <= 2; ++number) {
       SetupPlace place;
       const Part read = read::stepnc::read_setup(text, "again.p21", {}, number, place);
-      const post::WrittenSetup& written = setups[static_cast<std::size_t>(number - 1)];
+      const WrittenSetup& written = setups[static_cast<std::size_t>(number - 1)];
       EXPECT_EQ(place.turn, written.place.turn);
       const PlanResult first = plan_part(written.part, {}), again = plan_part(read, {});
       EXPECT_EQ(report::motion_text(again.program), report::motion_text(first.program))
@@ -210,7 +210,7 @@ TEST(StatedToolpathPlans, SeveralSetupsComeBackToTheDigit) {
 
 TEST(StatedToolpathPlans, SetupsWithZerosOfTheirOwnAreRefused) {
   Random random(3);
-  std::vector<post::WrittenSetup> setups{random_setup(random, {}), random_setup(random, {})};
+  std::vector<WrittenSetup> setups{random_setup(random, {}), random_setup(random, {})};
   setups.back().place.shift = {5, 0, 0};
   EXPECT_THROW(post::write_stepnc(setups), InputError);
 }

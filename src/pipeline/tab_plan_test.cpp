@@ -16,8 +16,8 @@ namespace {
 
 using ::testing::HasSubstr;
 
-resolve::PlanOptions triangular(const std::string& tool, int count = 0) {
-  resolve::PlanOptions options = with({tool});
+PlanOptions triangular(const std::string& tool, int count = 0) {
+  PlanOptions options = with({tool});
   options.strategy = "contour";
   options.tabs.count = count;
   options.tabs.shape = TabShape::kTriangular;
@@ -64,7 +64,7 @@ TEST(CutOuts, RoundEndsOwnNoFarSideOfTheKerf) {
 TEST(Tabs, StandBesideStockThatIsLeft) {
   for (const TabShape shape : {TabShape::kSquare, TabShape::kTriangular}) {
     for (const char* finish : {"", "walls", "all"}) {
-      resolve::PlanOptions options = with({"endmill:5"});
+      PlanOptions options = with({"endmill:5"});
       options.strategy = "contour";
       options.tabs.count = 2;
       options.tabs.shape = shape;
@@ -83,7 +83,7 @@ TEST(Tabs, StandBesideStockThatIsLeftAlongArcs) {
   for (const std::string layer : {"PROFILE_D2", "INSIDE_D2"}) {
     for (const double diameter : {14.0, 20.0, 40.0}) {
       for (const double left : {0.1, 0.5}) {
-        resolve::PlanOptions options = with({"endmill:3"});
+        PlanOptions options = with({"endmill:3"});
         options.strategy = "contour";
         options.tabs.count = 2;
         options.allowance = left;
@@ -187,7 +187,7 @@ TEST(SquareTabs, AreFedOverWithinTheKerf) {
                                   rounded_box("PROFILE_D6", 0, 0, 90, 60, 8)};
   for (const std::string& outline : outlines) {
     for (const EntryKind entry : {EntryKind::kPlunge, EntryKind::kRamp}) {
-      resolve::PlanOptions options = triangular("endmill:4", 3);
+      PlanOptions options = triangular("endmill:4", 3);
       options.tabs.shape = TabShape::kSquare;
       options.entry = entry;
       const auto result = plan_part(drawn(outline), options);

@@ -53,8 +53,8 @@ inline Part drawn(const std::string& entities) {
   return read::read_part_text(drawing(entities), "sign.dxf", {});
 }
 
-inline resolve::PlanOptions with(const std::vector<std::string>& tools) {
-  resolve::PlanOptions options;
+inline PlanOptions with(const std::vector<std::string>& tools) {
+  PlanOptions options;
   for (const std::string& tool : tools) options.tools.push_back(resolve::parse_tool(tool));
   for (std::size_t i = 0; i < options.tools.size(); ++i) options.tools[i].number = static_cast<int>(i) + 1;
   options.threads = 1;

@@ -6,6 +6,7 @@
 #include "kinematics/planner.h"
 #include "pipeline/compare.h"
 #include "pipeline/result_figures.h"
+#include "read/gcode/program/dialect.h"
 #include "report/certificate/certificate.h"
 #include "report/picture/animation.h"
 #include "report/picture/svg.h"
@@ -29,13 +30,13 @@ std::string picture_of(const Result& result) {
 }
 
 template <typename Result>
-std::string animation_of(const Result& result, const resolve::PlanOptions& options) {
+std::string animation_of(const Result& result, const PlanOptions& options) {
   return report::animated_svg(result.part, result.toolpath, result.findings,
                               times_of_moves(result.part, result.toolpath, result.control, options));
 }
 
 template <typename Result>
-std::string page_of(const Result& result, const resolve::PlanOptions& options, const std::string& program) {
+std::string page_of(const Result& result, const PlanOptions& options, const std::string& program) {
   report::HtmlOptions page{options.machine, program};
   if (result.earlier) page.earlier = &*result.earlier;
   page.material = options.shop.material.value_or("");
@@ -44,7 +45,7 @@ std::string page_of(const Result& result, const resolve::PlanOptions& options, c
 }
 
 /// `control`: control table of the read program, and its dialect.
-report::CertificateInfo certificate_info(const resolve::PlanOptions& options, const CertificateBasis& basis,
+report::CertificateInfo certificate_info(const PlanOptions& options, const CertificateBasis& basis,
                                          const ControlTable& control) {
   report::CertificateInfo info;
   info.version = kVersion;
@@ -63,7 +64,7 @@ report::CertificateInfo certificate_info(const resolve::PlanOptions& options, co
   return info;
 }
 
-report::SetupSheetInfo sheet_info(const resolve::PlanOptions& options, const std::string& program_name,
+report::SetupSheetInfo sheet_info(const PlanOptions& options, const std::string& program_name,
                                   const std::string& dialect) {
   report::SetupSheetInfo info;
   info.program_name = program_name;
@@ -82,7 +83,7 @@ CertificateBasis basis_of_input(const Part& part, const std::string& command, co
 
 }  // namespace
 
-std::string write_certificate(const PlanResult& result, const resolve::PlanOptions& options,
+std::string write_certificate(const PlanResult& result, const PlanOptions& options,
                               const CertificateBasis& basis) {
   report::CertificateInfo info = certificate_info(options, basis, result.control);
   info.margin = result.margin;
@@ -96,25 +97,25 @@ std::string write_certificate(const PlanResult& result, const resolve::PlanOptio
   return report::certificate_json(result.part, result.findings, info);
 }
 
-std::string write_certificate(const CheckResult& result, const resolve::PlanOptions& options,
+std::string write_certificate(const CheckResult& result, const PlanOptions& options,
                               const CertificateBasis& basis, const std::string& program) {
   report::CertificateInfo info = certificate_info(options, basis, result.control);
   info.margin = result.margin;
   info.copies = result.copies;
   info.length_bounds = verify::length_bounds_of(result.part, result.findings);
   info.program = program;
-  info.dialect = name_of(result.dialect);
+  info.dialect = read::gcode::name_of(result.dialect);
   info.dialect_stated = basis.dialect_stated;
   return report::certificate_json(result.part, result.findings, info);
 }
 
-std::string write_certificate(const PlanResult& result, const resolve::PlanOptions& options,
+std::string write_certificate(const PlanResult& result, const PlanOptions& options,
                               const std::string& input) {
   return write_certificate(result, options, basis_of_input(result.part, "plan", input));
 }
 
-std::string write_certificate(const CheckResult& result, const resolve::PlanOptions& options,
-                              const std::string& input, const std::string& program) {
+std::string write_certificate(const CheckResult& result, const PlanOptions& options, const std::string& input,
+                              const std::string& program) {
   return write_certificate(result, options, basis_of_input(result.part, "verify", input), program);
 }
 
@@ -134,11 +135,11 @@ std::string write_selection_table(const PlanResult& result, std::size_t width) {
   return report::fitted(report::selection_table(result.selections), width);
 }
 
-std::string write_animation(const PlanResult& result, const resolve::PlanOptions& options) {
+std::string write_animation(const PlanResult& result, const PlanOptions& options) {
   return animation_of(result, options);
 }
 
-std::string write_animation(const CheckResult& result, const resolve::PlanOptions& options) {
+std::string write_animation(const CheckResult& result, const PlanOptions& options) {
   return animation_of(result, options);
 }
 
@@ -150,33 +151,33 @@ std::string write_picture(const CheckResult& result) {
   return picture_of(result);
 }
 
-std::string write_page(const PlanResult& result, const resolve::PlanOptions& options) {
+std::string write_page(const PlanResult& result, const PlanOptions& options) {
   return page_of(result, options, result.program);
 }
 
-std::string write_page(const CheckResult& result, const resolve::PlanOptions& options,
-                       const std::string& program) {
+std::string write_page(const CheckResult& result, const PlanOptions& options, const std::string& program) {
   return page_of(result, options, program);
 }
 
-report::SetupSheet setup_sheet_of(const PlanResult& result, const resolve::PlanOptions& options,
-                                  const std::string& program_name) {
+SetupSheet setup_sheet_of(const PlanResult& result, const PlanOptions& options,
+                          const std::string& program_name) {
   return report::compose_sheet(result.part, result.toolpath, result.findings,
                                sheet_info(options, program_name, options.post.dialect));
 }
 
-report::SetupSheet setup_sheet_of(const CheckResult& result, const resolve::PlanOptions& options,
-                                  const std::string& program_name) {
-  return report::compose_sheet(result.part, result.toolpath, result.findings,
-                               sheet_info(options, program_name, std::string(name_of(result.dialect))));
+SetupSheet setup_sheet_of(const CheckResult& result, const PlanOptions& options,
+                          const std::string& program_name) {
+  return report::compose_sheet(
+      result.part, result.toolpath, result.findings,
+      sheet_info(options, program_name, std::string(read::gcode::name_of(result.dialect))));
 }
 
-std::string write_setup_sheet(const PlanResult& result, const resolve::PlanOptions& options,
+std::string write_setup_sheet(const PlanResult& result, const PlanOptions& options,
                               const std::string& program_name) {
   return report::setup_sheet_html(setup_sheet_of(result, options, program_name));
 }
 
-std::string write_setup_sheet(const CheckResult& result, const resolve::PlanOptions& options,
+std::string write_setup_sheet(const CheckResult& result, const PlanOptions& options,
                               const std::string& program_name) {
   return report::setup_sheet_html(setup_sheet_of(result, options, program_name));
 }

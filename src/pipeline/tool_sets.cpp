@@ -46,8 +46,7 @@ CuttingData cutting_of(const Tool& tool, std::size_t index, const ToolSpeeds& sp
   return given;
 }
 
-std::vector<Candidate> candidates_of(const Part& part, const ToolSpeeds& speeds,
-                                     const resolve::PlanOptions& options) {
+std::vector<Candidate> candidates_of(const Part& part, const ToolSpeeds& speeds, const PlanOptions& options) {
   const auto& tools = options.tools.empty() ? part.tools : options.tools;
   if (tools.empty()) {
     throw InputError("tools",
@@ -63,19 +62,19 @@ std::vector<Candidate> candidates_of(const Part& part, const ToolSpeeds& speeds,
   return all;
 }
 
-Objective objective_in(const resolve::PlanOptions& options) {
+Objective objective_in(const PlanOptions& options) {
   return parse_objective(options.objective, "--objective");
 }
 
 /// Where a named strategy leaves nothing to choose the objective is for the cutters alone.
-void leave_objective_to_cutters(resolve::PlanOptions& options) {
+void leave_objective_to_cutters(PlanOptions& options) {
   const StrategyEntry* named = options.strategy ? strategies_of(options).find(*options.strategy) : nullptr;
   if (named == nullptr || !named->orders.empty()) return;
   options.objective = name_of(ObjectiveKind::kTime);
   options.sources.forget("objective");
 }
 
-ToolRun run_of(const Candidate& candidate, const Part& part, resolve::PlanOptions options) {
+ToolRun run_of(const Candidate& candidate, const Part& part, PlanOptions options) {
   const Tool& tool = candidate.tool;
   if (objective_in(options).asks_load()) leave_objective_to_cutters(options);
   options.tools = {tool};
@@ -135,7 +134,7 @@ bool may_end(const ToolRun& run, const ToolRun& smallest) {
 
 /// Time of `then` on the material left by `first`, with its own speeds; none if this cannot be cut clean.
 std::optional<double> rest_time(const Candidate& first, const Candidate& then, const Part& part,
-                                resolve::PlanOptions options) {
+                                PlanOptions options) {
   options.tools = {first.tool, then.tool};
   options.cutting = then.cutting;
   options.shop.rest = true;
@@ -168,8 +167,7 @@ class PlanCount {
 /// The fastest sequence ending with each cutter; `all` and `runs` are in ascending order of size.
 std::vector<std::optional<Sequence>> fastest_to_each(const std::vector<Candidate>& all,
                                                      const std::vector<ToolRun>& runs, const Part& part,
-                                                     const ToolSpeeds& speeds,
-                                                     const resolve::PlanOptions& options,
+                                                     const ToolSpeeds& speeds, const PlanOptions& options,
                                                      const CountCallback& count) {
   const PlanCount counted(all.size(), count);
   std::size_t done = all.size();
@@ -191,7 +189,7 @@ std::vector<std::optional<Sequence>> fastest_to_each(const std::vector<Candidate
 }
 
 std::optional<ToolSequence> fastest_of(const std::vector<ToolRun>& runs, const Part& part,
-                                       const ToolSpeeds& speeds, const resolve::PlanOptions& options,
+                                       const ToolSpeeds& speeds, const PlanOptions& options,
                                        const CountCallback& count) {
   const auto to_each =
       fastest_to_each(candidates_of(part, speeds, options), runs, part, speeds, options, count);
@@ -229,8 +227,8 @@ CuttingData driven(const Tool& tool, double cutting_speed, double feed_per_tooth
   return data;
 }
 
-std::vector<ToolRun> run_tools(const Part& part, const ToolSpeeds& speeds,
-                               const resolve::PlanOptions& options, const CountCallback& count) {
+std::vector<ToolRun> run_tools(const Part& part, const ToolSpeeds& speeds, const PlanOptions& options,
+                               const CountCallback& count) {
   const auto all = candidates_of(part, speeds, options);
   const PlanCount counted(all.size(), count);
   std::vector<ToolRun> runs;
@@ -264,11 +262,11 @@ const ToolRun* best_tool(const ToolComparison& comparison) {
 }
 
 std::optional<ToolSequence> fastest_sequence(const Part& part, const ToolSpeeds& speeds,
-                                             const resolve::PlanOptions& options) {
+                                             const PlanOptions& options) {
   return fastest_of(run_tools(part, speeds, options), part, speeds, options, {});
 }
 
-ToolComparison compare_tools(const Part& part, const ToolSpeeds& speeds, const resolve::PlanOptions& options,
+ToolComparison compare_tools(const Part& part, const ToolSpeeds& speeds, const PlanOptions& options,
                              const CountCallback& count) {
   ToolComparison comparison{run_tools(part, speeds, options, count), std::nullopt, objective_in(options)};
   const auto& runs = comparison.runs;
@@ -278,10 +276,10 @@ ToolComparison compare_tools(const Part& part, const ToolSpeeds& speeds, const r
   return comparison;
 }
 
-report::TextTable tool_table(const Part& part, const ToolSpeeds& speeds, const ToolComparison& comparison) {
-  report::TextTable table;
+TextTable tool_table(const Part& part, const ToolSpeeds& speeds, const ToolComparison& comparison) {
+  TextTable table;
   table.title = part.name + ": each cutter alone";
-  table.columns = {{"tool", report::Align::kLeft},
+  table.columns = {{"tool", Align::kLeft},
                    {"Z"},
                    {"rpm"},
                    {"mm/min"},
@@ -289,7 +287,7 @@ report::TextTable tool_table(const Part& part, const ToolSpeeds& speeds, const T
                    {"time s"},
                    {"eq. 9 s"},
                    {"corners mm2"},
-                   {"clean", report::Align::kLeft}};
+                   {"clean", Align::kLeft}};
   const ToolRun* best = best_tool(comparison);
   for (const auto& run : comparison.runs) table.add(cells(run, &run == best));
   const bool by_load = comparison.objective.asks_load();

@@ -15,42 +15,20 @@
 
 #include "model/options/tour_options.h"
 #include "model/results/findings.h"
+#include "options/tool_speeds.h"
 #include "pipeline/compare.h"
 #include "report/words/text_table.h"
 #include "resolve/values/plan_options.h"
 
 namespace clearcut::pipeline {
 
-/// Cutting data of cutters; absent values come from the part or the defaults of prepare().
-struct ToolSpeeds {
-  std::optional<double> cutting_speed;
-  /// Feed of each tool in the given order; the last one applies to the rest.
-  std::vector<double> feeds_per_tooth;
-  double tool_change_s = 10;  ///< between the tools of a sequence
-};
-
 /// Spindle and feed of a tool with `feed_per_tooth`. Units and formulas above.
 CuttingData driven(const Tool& tool, double cutting_speed, double feed_per_tooth);
 
-/// One cutter, used for the whole part.
-struct ToolRun {
-  Tool tool;
-  double spindle_rpm = 0;
-  double feed_mm_per_min = 0;
-  bool fits = false;
-  std::string refusal;  ///< reason for a refusal
-  bool clean = false;
-  double feed_mm = 0;
-  double time_s = 0;           ///< kinematic
-  double published_s = 0;      ///< CPO-rho eq. 9
-  double unreachable_mm2 = 0;  ///< area of corners out of its reach
-  Figures figures;             ///< all of its certificate
-};
-
 /// Runs every tool of the options (else of the part) by itself on every feature, smallest first. Throws InputError
 /// without tools and for speeds not above 0. Cost one plan each.
-std::vector<ToolRun> run_tools(const Part& part, const ToolSpeeds& speeds,
-                               const resolve::PlanOptions& options, const CountCallback& count = {});
+std::vector<ToolRun> run_tools(const Part& part, const ToolSpeeds& speeds, const PlanOptions& options,
+                               const CountCallback& count = {});
 
 /// The fastest run certified clean; null if none is.
 const ToolRun* fastest_clean(const std::vector<ToolRun>& runs);
@@ -58,33 +36,20 @@ const ToolRun* fastest_clean(const std::vector<ToolRun>& runs);
 /// The best run certified clean by an objective of load; null if none is.
 const ToolRun* best_clean(const std::vector<ToolRun>& runs, const Objective& objective);
 
-/// Cutters one after the other, largest first.
-struct ToolSequence {
-  std::vector<Tool> tools;
-  double time_s = 0;  ///< kinematic, with the changes between them
-};
-
 /// The fastest sequence that leaves no more than the smallest cutter by itself; none if no sequence can be cut clean.
 /// Each cutter cuts the areas out of reach of larger ones, which depend only on the previous cutter: a shortest path
 /// over pairs. Cost: one plan for every pair of tools.
 std::optional<ToolSequence> fastest_sequence(const Part& part, const ToolSpeeds& speeds,
-                                             const resolve::PlanOptions& options);
-
-/// Every cutter by itself, and the fastest sequence of them.
-struct ToolComparison {
-  std::vector<ToolRun> runs;
-  std::optional<ToolSequence> sequence;  ///< fastest; none if the objective is load
-  Objective objective;                   ///< by which the best cutter is chosen, if it is load; else by time
-};
+                                             const PlanOptions& options);
 
 /// The best run, marked in tables; null if none is clean.
 const ToolRun* best_tool(const ToolComparison& comparison);
 
 /// Throws InputError if no cutter can be used. `count` is called for the plans of single cutters and of pairs.
-ToolComparison compare_tools(const Part& part, const ToolSpeeds& speeds, const resolve::PlanOptions& options,
+ToolComparison compare_tools(const Part& part, const ToolSpeeds& speeds, const PlanOptions& options,
                              const CountCallback& count = {});
 
 /// The table, with the best clean cutter marked, and the fastest sequence or the load of each below.
-report::TextTable tool_table(const Part& part, const ToolSpeeds& speeds, const ToolComparison& comparison);
+TextTable tool_table(const Part& part, const ToolSpeeds& speeds, const ToolComparison& comparison);
 
 }  // namespace clearcut::pipeline

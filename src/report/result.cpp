@@ -74,13 +74,13 @@ std::string contour_lines(const ContourLevels& contours) {
 }
 
 /// "# time by CPO-rho eq. 9 26.30 s: sum L 373.4802 mm, V_f 1000 mm/min, nd 10, tau 0.177 s".
-std::string published_line(const kinematics::PublishedTime& time) {
+std::string published_line(const PublishedTime& time) {
   std::string feed = trimmed(time.slowest.mm_per_min(), 3);
   if (time.fastest.mm_per_min() > time.slowest.mm_per_min())
     feed += " to " + trimmed(time.fastest.mm_per_min(), 3);
   return fmt::format("# time by CPO-rho eq. 9 {} s: sum L {} mm, V_f {} mm/min, nd {}, tau {} s\n",
                      fixed(time.seconds(), 2), fixed(time.length_mm, kDecimals), feed, time.discontinuities,
-                     trimmed(kinematics::kPublishedStop, 3));
+                     trimmed(kPublishedStop, 3));
 }
 
 }  // namespace

@@ -9,29 +9,15 @@
 
 #include "kinematics/kinematics.h"
 #include "model/move.h"
+#include "model/results/contour_levels.h"
+#include "model/results/published_time.h"
 
 namespace clearcut::report {
-
-/// Step to the next contour, given by a contour's smallest angle.
-struct ContourCoefficient {
-  double from_wall = 0;       ///< mm
-  double smallest_angle = 0;  ///< radians
-  double share = 0;           ///< kappa or rho: the step as a share of the diameter
-  double residual = 0;        ///< mm, F of CPO-kappa eq. 4; below 0 the rings overlap
-};
-
-/// Distances of the contours of one feature from its walls, mm, ascending.
-struct ContourLevels {
-  std::string feature;
-  std::vector<double> from_wall;
-  /// Coefficients of all but the innermost contour, if the method has any.
-  std::vector<ContourCoefficient> coefficients = {};
-};
 
 struct ResultInfo {
   std::string name;  ///< name of the part; one comment line
   std::vector<ContourLevels> contours;
-  std::optional<kinematics::PublishedTime> published = {};  ///< CPO-rho eq. 9
+  std::optional<PublishedTime> published = {};  ///< CPO-rho eq. 9
 };
 
 /// Shape   comment lines start with '#': name, columns; distances of the contours and the steps between them, only

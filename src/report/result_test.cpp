@@ -32,8 +32,7 @@ TEST(ResultFile, TriangleOfThePaperHasItsFirstContour) {
 }
 
 TEST(ResultFile, SaysOfWhatEquation9IsMade) {
-  ResultInfo info{
-      "a", {}, kinematics::PublishedTime{373.4802, 22.408812, 10, MmPerMin::of(1000), MmPerMin::of(1000)}};
+  ResultInfo info{"a", {}, PublishedTime{373.4802, 22.408812, 10, MmPerMin::of(1000), MmPerMin::of(1000)}};
   EXPECT_THAT(result_file({}, info),
               HasSubstr("# time by CPO-rho eq. 9 26.30 s: sum L 373.4802 mm, V_f 1000 mm/min, "
                         "nd 10, tau 0.177 s\n"));

@@ -88,7 +88,7 @@ std::string metric_name(StudyMetric metric) {
 }
 
 /// What the text finds, and what these runs say of it.
-void add_claims(report::TextTable& table, const GeneticStudy& study, const std::vector<StudyRow>& rows) {
+void add_claims(TextTable& table, const GeneticStudy& study, const std::vector<StudyRow>& rows) {
   const std::vector<StudyClaim>& claims = study_plan(study.name).claims;
   const auto values_of = [&](const std::string& name) {
     for (std::size_t i = 0; i < study.levels.size(); ++i)
@@ -216,10 +216,10 @@ std::vector<StudyRow> run_genetic_study(const GeneticStudy& study, const Genetic
   return in_order(rows_of);
 }
 
-report::TextTable study_table(const GeneticStudy& study, const std::vector<StudyRow>& rows) {
-  report::TextTable table;
+TextTable study_table(const GeneticStudy& study, const std::vector<StudyRow>& rows) {
+  TextTable table;
   table.title = fmt::format("Tour {}: {}", study.figure, metric_name(study.metric));
-  table.columns = {{study.factor, report::Align::kLeft},
+  table.columns = {{study.factor, Align::kLeft},
                    {"runs"},
                    {"mean"},
                    {"E (99 %)"},

@@ -109,7 +109,7 @@ std::string study_lines(const GeneticStudy& study, const GeneticStudyOptions& op
                         const std::vector<StudyRow>& rows);
 
 /// Per level: runs, mean with its error E = z sigma / sqrt(N), z = 3 (eq. 4.11), standard deviation, quartiles.
-report::TextTable study_table(const GeneticStudy& study, const std::vector<StudyRow>& rows);
+TextTable study_table(const GeneticStudy& study, const std::vector<StudyRow>& rows);
 
 /// Box plots of the levels, and the fitness over the generations with its spread; the study of spread has its
 /// histogram too.

@@ -214,7 +214,7 @@ TEST(GeneticStudy, TheTableHasMeanAndError) {
   std::vector<StudyRow> rows;
   for (const double fitness : {90.0, 92.0, 97.0})
     rows.push_back({.run = static_cast<int>(rows.size()) + 1, .generation = 25, .fitness = fitness});
-  const report::TextTable table = study_table(study, rows);
+  const TextTable table = study_table(study, rows);
   ASSERT_EQ(table.rows.size(), 1u);
   EXPECT_EQ(table.rows[0][1], "3");
   EXPECT_EQ(table.rows[0][2], "93.000");

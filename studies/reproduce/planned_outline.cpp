@@ -27,8 +27,8 @@ Part pocket_part(const Region& outline, const std::string& name, double diameter
   return part;
 }
 
-std::optional<pipeline::PlanResult> planned_outline(const Part& part, const OutlineMethod& method) {
-  resolve::PlanOptions options;
+std::optional<PlanResult> planned_outline(const Part& part, const OutlineMethod& method) {
+  PlanOptions options;
   options.strategy = method.strategy;
   options.stepover = method.stepover;
   options.post.decimals = method.decimals;

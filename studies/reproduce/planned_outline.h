@@ -24,7 +24,7 @@ struct OutlineMethod {
 };
 
 /// The program read back and its certificate; absent where the cutter does not fit.
-std::optional<pipeline::PlanResult> planned_outline(const Part& part, const OutlineMethod& method);
+std::optional<PlanResult> planned_outline(const Part& part, const OutlineMethod& method);
 
 Region outline_of(const SideList& list);
 Region equilateral(double edge);

@@ -111,7 +111,7 @@ constexpr CutterRow kCutters[] = {{2, 19.51, 17.23, 15.46}, {3, 15.15, 14.97, 13
 
 /// The way of a cutter in plan; absent where it does not fit.
 struct CutterWay {
-  kinematics::PublishedTime published;
+  PublishedTime published;
   bool clean = false;
 
   /// Minutes by eq. 9 at one feed, mm/min.
@@ -137,7 +137,7 @@ FittedFeed fitted_feed(const Region& polygon) {
     const auto way = row.present > 0 ? way_of(polygon, row.radius, "rho") : std::nullopt;
     if (!way) continue;
     rows.emplace_back(row.present, *way);
-    const double stops = kinematics::published_time(0, way->published.discontinuities) / 60;
+    const double stops = published_seconds(0, way->published.discontinuities) / 60;
     const double share = way->published.length_mm / row.present;
     across += share * (row.present - stops) / row.present;
     squares += share * share;
@@ -177,17 +177,13 @@ std::string radii_where_rho_wins(const Region& polygon, const std::string& rival
 
 Reproduction length_comparison() {
   Reproduction result;
-  report::TextTable& table = result.table;
+  TextTable& table = result.table;
   table.title = "CPO-kappa table 1: path lengths, mm; R = 4 mm, rivals at a step of 7.2 mm";
-  table.columns = {{"shape", report::Align::kLeft},
-                   {"method", report::Align::kLeft},
-                   {"contours, theirs"},
-                   {"ours"},
-                   {"added, theirs"},
-                   {"ours"},
-                   {"total, theirs"},
-                   {"ours"},
-                   {"clean", report::Align::kLeft}};
+  table.columns = {{"shape", Align::kLeft}, {"method", Align::kLeft},
+                   {"contours, theirs"},    {"ours"},
+                   {"added, theirs"},       {"ours"},
+                   {"total, theirs"},       {"ours"},
+                   {"clean", Align::kLeft}};
   add_lengths(result, "concave", concave_star(),
               {{"proposed (lom)", "lom", 747.30, 0},
                {"bisector segments", "bisectors", 584.84, 244},
@@ -229,7 +225,7 @@ Reproduction cutter_comparison() {
   const Region polygon = inscribed_polygon({});
   const FittedFeed fit = fitted_feed(polygon);
   Reproduction result;
-  report::TextTable& table = result.table;
+  TextTable& table = result.table;
   table.title = "CPO-rho table 3: cutting time by eq. 9, min; polygon of inscribed radius 20.46 mm";
   table.columns = {{"R mm"}, {"rho, theirs"},   {"ours"}, {"bisectors, theirs"},
                    {"ours"}, {"loops, theirs"}, {"ours"}, {"contour (ours)"}};
@@ -268,10 +264,10 @@ Reproduction cutter_trend() {
   result.table.title =
       "CPO-rho table 3, its trend: the cutters (R mm) for which rho is faster than the rivals";
   result.table.columns = {{"V_f mm/min"},
-                          {"than bisectors, theirs", report::Align::kLeft},
-                          {"ours", report::Align::kLeft},
-                          {"than loops, theirs", report::Align::kLeft},
-                          {"ours", report::Align::kLeft}};
+                          {"than bisectors, theirs", Align::kLeft},
+                          {"ours", Align::kLeft},
+                          {"than loops, theirs", Align::kLeft},
+                          {"ours", Align::kLeft}};
   const auto checked = [](const std::string& ours, const std::string& printed, const char* why) {
     const bool same = ours == printed;
     return beside(ours, printed, same ? Agreement::kAgrees : Agreement::kDiffers, same ? "" : why);

@@ -50,7 +50,7 @@ double radians(int degrees) {
 Reproduction angle_table(const std::string& title) {
   Reproduction result;
   result.table.title = title;
-  result.table.columns = {{"row", report::Align::kLeft}};
+  result.table.columns = {{"row", Align::kLeft}};
   for (const int angle : kAngles) result.table.columns.push_back({fmt::format("{} deg", angle)});
   return result;
 }
@@ -137,7 +137,7 @@ Reproduction triangle_figure() {
   constexpr double kStep = 7.01, kRadius = 5, kEdge = 79.9861;
   Reproduction result;
   result.table.title = "CPO-kappa figure 10: equilateral triangle, edge 79.9861 mm, R = 5 mm, step 7.01 mm";
-  result.table.columns = {{"contour", report::Align::kLeft}, {"printed"}, {"ours"}};
+  result.table.columns = {{"contour", Align::kLeft}, {"printed"}, {"ours"}};
   const Region triangle = equilateral(kEdge);
   result.figures.push_back(
       passes_figure("contours of CPO-kappa figure 10", {triangle}, contours_of(triangle, kRadius, kStep)));
@@ -173,7 +173,7 @@ Reproduction caption_figures() {
   constexpr double kStarSide = 60, kStarTip = 90;
   Reproduction result;
   result.table.title = "Coefficients printed in captions, of planned pockets";
-  result.table.columns = {{"figure", report::Align::kLeft}, {"smallest angle, deg"}, {"printed"}, {"ours"}};
+  result.table.columns = {{"figure", Align::kLeft}, {"smallest angle, deg"}, {"printed"}, {"ours"}};
   const auto add = [&](const char* name, const Region& outline, double radius, const char* strategy,
                        double printed) {
     const double share = planned_coefficient(outline, radius, strategy);

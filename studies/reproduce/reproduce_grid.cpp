@@ -115,7 +115,7 @@ Reproduction grid_table() {
   result.table.title = "Grid table 1: squares after interpolation and reduction, time of a genetic algorithm";
   result.table.columns = {{"pocket mm"},
                           {"R mm, ours"},
-                          {"middle row", report::Align::kLeft},
+                          {"middle row", Align::kLeft},
                           {"squares, theirs"},
                           {"ours"},
                           {"reduced, theirs"},
@@ -150,12 +150,12 @@ Reproduction grid_table() {
   return result;
 }
 
-report::TextTable grid_reduction_table() {
-  report::TextTable table;
+TextTable grid_reduction_table() {
+  TextTable table;
   table.title = "Squares after interpolation and reduction, and the time to an order of visits";
   table.columns = {
-      {"pocket mm"},      {"tool R mm"}, {"middle row", report::Align::kLeft}, {"squares"}, {"reduced"},
-      {"visit mm"},       {"bound mm"},  {"proven", report::Align::kLeft},     {"time ms"}, {"printed all"},
+      {"pocket mm"},      {"tool R mm"}, {"middle row", Align::kLeft}, {"squares"}, {"reduced"},
+      {"visit mm"},       {"bound mm"},  {"proven", Align::kLeft},     {"time ms"}, {"printed all"},
       {"printed reduced"}};
   for (const auto& row : kTable1) table.add(cells_of(row));
   table.notes = {"Time: interpolation, reduction and search for the shortest open path, on one thread.",

@@ -37,7 +37,7 @@ struct NamedLayer {
 
 /// The first layer of every feature, as the text would make its grid: a closed pocket, the 10 mm end mill.
 std::vector<NamedLayer> fishhead_layers() {
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.stepdown = 2;
   const Part part = resolve::prepare(fishhead(false, {}), options);
   std::vector<NamedLayer> layers;
@@ -189,7 +189,7 @@ double least_of(const std::vector<RunFigures>& tours, TourFigure figure) {
 }
 
 /// A grid's tours for one objective at a time and for three at once.
-void add_objectives(report::TextTable& table, const std::string& name, const plan::tour::TourTask& task,
+void add_objectives(TextTable& table, const std::string& name, const plan::tour::TourTask& task,
                     TableRuns& runs) {
   const auto problem = pipeline::grid_problem(task);
   const auto asked = objectives_for(task);
@@ -216,7 +216,7 @@ void add_objectives(report::TextTable& table, const std::string& name, const pla
 }
 
 /// Nothing to visit: every tour is as long as its bound.
-void add_empty(report::TextTable& table, const std::string& name) {
+void add_empty(TextTable& table, const std::string& name) {
   for (const char* objective : {"length", "turns", "turn angle", "time", "engagement 50 %"})
     table.add({name, "0", objective, "0", "", "0", "", "0.000", "0.0", "0.0", "0.00", "", "no grid point"});
 }
@@ -230,7 +230,7 @@ std::array<double, 10> histogram(const std::vector<double>& shares) {
   return bins;
 }
 
-void add_histogram(report::TextTable& table, const plan::tour::TourTask& task, int target, const char* model,
+void add_histogram(TextTable& table, const plan::tour::TourTask& task, int target, const char* model,
                    const std::vector<double>& shares) {
   std::vector<std::string> row{fmt::format("{} %", target), fmt::format("{:.2f}", task.pitch),
                                std::to_string(task.points.size()), model};
@@ -246,7 +246,7 @@ double matching_pitch(int target) {
   return kObjectivesMill * (1 - base::cos(kPi * target / 100)) / 2;
 }
 
-void add_engagement(report::TextTable& table, const plan::tour::TourTask& task, int target) {
+void add_engagement(TextTable& table, const plan::tour::TourTask& task, int target) {
   const auto objective = pipeline::engagement_objective(
       target / 100.0, [&] { return pipeline::raster_engagement(engagement_task(task)); });
   const auto solution = solved(pipeline::grid_problem(task), *objective, 1);
@@ -272,7 +272,7 @@ std::vector<Asked> single_and_multi(const plan::tour::TourTask& task) {
 }
 
 /// Returns the tour.
-order::Tour add_asked(report::TextTable& table, const plan::tour::TourTask& task, const Asked& asked) {
+order::Tour add_asked(TextTable& table, const plan::tour::TourTask& task, const Asked& asked) {
   const long long rounds = asked.objective->path_dependent() ? kPathRounds : kLocalRounds;
   const auto solution = solved(pipeline::grid_problem(task), *asked.objective, 1, rounds);
   const auto shares = pipeline::raster_engagement(engagement_task(task))->along(solution.tour);
@@ -289,11 +289,11 @@ order::Tour add_asked(report::TextTable& table, const plan::tour::TourTask& task
 Reproduction single_multi_table() {
   constexpr const char* kFeature = "POCKET1";
   Reproduction result;
-  report::TextTable& table = result.table;
+  TextTable& table = result.table;
   table.title = fmt::format(
       "Tour figures 6-16 and 6-17: percent of the moves by mean engagement, {}, 10 mm end mill, target 50 %",
       kFeature);
-  table.columns = {{"objective", report::Align::kLeft}, {"length"}, {"turns"}, {"deviation"}};
+  table.columns = {{"objective", Align::kLeft}, {"length"}, {"turns"}, {"deviation"}};
   for (int bin = 0; bin < 10; ++bin) table.columns.push_back({fmt::format("{}-{}", 10 * bin, 10 * bin + 10)});
   for (const auto& [name, layer] : all_layers()) {
     if (name != kFeature) continue;
@@ -316,14 +316,14 @@ Reproduction single_multi_table() {
 
 Reproduction objectives_table(const TableWatch& watch) {
   Reproduction result;
-  report::TextTable& table = result.table;
+  TextTable& table = result.table;
   table.title =
       "Tour table 6.4: the fishhead's features and plates with islands, grid of 5 mm, 10 mm end mill, legal "
       "ways "
       "only";
-  table.columns = {{"feature", report::Align::kLeft},
+  table.columns = {{"feature", Align::kLeft},
                    {"points"},
-                   {"objective", report::Align::kLeft},
+                   {"objective", Align::kLeft},
                    {"length"},
                    {"over least %"},
                    {"turns"},
@@ -333,7 +333,7 @@ Reproduction objectives_table(const TableWatch& watch) {
                    {"bound"},
                    {"gap %"},
                    {"s"},
-                   {"bound by", report::Align::kLeft}};
+                   {"bound by", Align::kLeft}};
   add_printed(result);
   table.add_rule();
   constexpr std::size_t kObjectives = 7;
@@ -358,10 +358,10 @@ Reproduction objectives_table(const TableWatch& watch) {
 Reproduction engagement_table() {
   constexpr const char* kFeature = "POCKET1";
   Reproduction result;
-  report::TextTable& table = result.table;
+  TextTable& table = result.table;
   table.title =
       fmt::format("Tour figure 6-15: percent of the moves by mean engagement, {}, 10 mm end mill", kFeature);
-  table.columns = {{"target"}, {"grid, mm"}, {"points"}, {"model", report::Align::kLeft}, {"mean %"}};
+  table.columns = {{"target"}, {"grid, mm"}, {"points"}, {"model", Align::kLeft}, {"mean %"}};
   for (int bin = 0; bin < 10; ++bin) table.columns.push_back({fmt::format("{}-{}", 10 * bin, 10 * bin + 10)});
   for (const auto& [name, layer] : all_layers()) {
     if (name != kFeature) continue;

@@ -35,8 +35,7 @@ std::string offspring(const order::Tour& of, const order::Tour& with) {
 Reproduction operators_table() {
   Reproduction result;
   result.table.title = "Tour 3.6.2: the worked example of partially mapped crossover, and table 3.1";
-  result.table.columns = {
-      {"what", report::Align::kLeft}, {"printed", report::Align::kLeft}, {"ours", report::Align::kLeft}};
+  result.table.columns = {{"what", Align::kLeft}, {"printed", Align::kLeft}, {"ours", Align::kLeft}};
   const auto add = [&](const std::string& what, const std::string& printed, const std::string& ours) {
     result.add({what, printed, equal_words(ours, printed)});
   };

@@ -139,7 +139,7 @@ int layers_with_material(const std::vector<Layer>& layers, const std::vector<Lay
 }
 
 Job fishhead_figures(const Reading& reading, const order::Objective& objective) {
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.stepdown = 2;
   const Part part = resolve::prepare(fishhead(false, {}), options);
   Job job;
@@ -209,7 +209,7 @@ void add_printed_jobs(Reproduction& result) {
 
 /// Points of a feature's largest grid for the end mill; open layers enlarged by `by` mm.
 std::size_t grid_points(const std::string& feature, double pitch, double by) {
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.stepdown = 2;
   const Part part = resolve::prepare(fishhead(false, {}), options);
   std::size_t largest = 0;
@@ -239,10 +239,10 @@ order::ObjectivePtr seeded(const char* kind) {
 
 Reproduction lattice_table() {
   Reproduction result;
-  report::TextTable& table = result.table;
+  TextTable& table = result.table;
   table.title = "Tour tables 6.3 and 6.6: lattices, open paths; ours is the worst over all seeds";
-  table.columns = {{"lattice", report::Align::kLeft},
-                   {"measure", report::Align::kLeft},
+  table.columns = {{"lattice", Align::kLeft},
+                   {"measure", Align::kLeft},
                    {"Car"},
                    {"s"},
                    {"printed"},
@@ -275,9 +275,9 @@ Reproduction fishhead_table() {
   constexpr std::array<Reading, 3> kReadings{
       {{"50 % of D", 20, 5}, {"50 % of D, faces enlarged (7.6)", 20, 5, true}, {"D", 40, 10}}};
   Reproduction result;
-  report::TextTable& table = result.table;
+  TextTable& table = result.table;
   table.title = "Tour table 6.5: the fishhead, 40 mm face mill and 10 mm end mill, layers of 2 mm";
-  table.columns = {{"reading", report::Align::kLeft},
+  table.columns = {{"reading", Align::kLeft},
                    {"feed, bidirectional"},
                    {"rapid"},
                    {"total"},
@@ -319,7 +319,7 @@ Reproduction fishhead_table() {
 Reproduction grid_points_table() {
   Reproduction result;
   result.table.title = "Tour 5.3.2: points of the largest feature of the fishhead, 10 mm end mill";
-  result.table.columns = {{"grid", report::Align::kLeft}, {"printed"}, {"FACE2, ours"}, {"FACE3"}, {"FACE4"}};
+  result.table.columns = {{"grid", Align::kLeft}, {"printed"}, {"FACE2, ours"}, {"FACE3"}, {"FACE4"}};
   const auto add = [&](const char* name, double pitch, double by, const char* printed) {
     const auto ours = [&](const char* face) { return std::to_string(grid_points(face, pitch, by)); };
     const std::string second = ours("PLANAR_FACE2");

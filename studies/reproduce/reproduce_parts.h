@@ -29,7 +29,7 @@ Reproduction grid_table();
 
 /// Table 1 of the grid paper: squares before and after reduction, and the time to an order of visits with
 /// what is proven of it, beside the printed times of its genetic algorithm.
-report::TextTable grid_reduction_table();
+TextTable grid_reduction_table();
 
 /// Table 6.4: every feature of the fishhead and plates with islands, one objective at a time, with its bound and
 /// gap, and length, turns and engagement at once.

@@ -40,7 +40,7 @@ void append_figures(RunFigures& to, const Figures& figures) {
 
 /// The quantities of every feature in the order of work, those of the whole program last.
 RunFigures planned(const Part& part, const char* objective, bool is_published, std::uint64_t seed) {
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.strategy = "tour";
   options.stepover = "0.5";
   options.stepdown = 2;
@@ -136,8 +136,8 @@ Reproduction published_fishhead_table(const TableWatch& watch) {
   Reproduction result;
   result.table.title =
       "Tour table 6.5 by programs: the fishhead on the published grid (50 %), layers of 2 mm";
-  result.table.columns = {{"feature", report::Align::kLeft},
-                          {"order by", report::Align::kLeft},
+  result.table.columns = {{"feature", Align::kLeft},
+                          {"order by", Align::kLeft},
                           {"feed, mm"},
                           {"rapid"},
                           {"total"},

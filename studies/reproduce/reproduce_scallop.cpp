@@ -24,16 +24,16 @@ Part sloped_pocket() {
 }
 
 /// The pocket as planned and certified; its layers are as deep as `options` say.
-FeatureFindings planned(resolve::PlanOptions options) {
+FeatureFindings planned(PlanOptions options) {
   options.strategy = "tour";
-  const pipeline::PlanResult result = pipeline::plan_part(sloped_pocket(), options);
+  const PlanResult result = pipeline::plan_part(sloped_pocket(), options);
   CLEARCUT_ASSERT(result.findings.all.clean && result.findings.features.front().scallop);
   return result.findings.features.front();
 }
 
 /// Layers as deep as a scallop of `asked` mm allows, the last one with what is left.
 FeatureFindings planned_by_scallop(double asked) {
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.scallop = asked;
   return planned(options);
 }
@@ -46,7 +46,7 @@ double equal_stepdown(std::size_t layers) {
 }
 
 FeatureFindings planned_by_stepdown(double stepdown) {
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.stepdown = stepdown;
   return planned(options);
 }

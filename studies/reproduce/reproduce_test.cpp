@@ -132,7 +132,7 @@ TEST(Reproduction, AWholeTableIsAsGoodAsItsWorstCell) {
 TEST(Reproduction, TablesAreReadBackAsTheyWereWritten) {
   Reproduction result;
   result.table.title = "title";
-  result.table.columns = {{"name", report::Align::kLeft}, {"value"}};
+  result.table.columns = {{"name", Align::kLeft}, {"value"}};
   result.add({"a", beside(1, 1, 0)});
   result.add_rule();
   result.add({"b", beside(2, 1, 0, {"another machine", 1})});

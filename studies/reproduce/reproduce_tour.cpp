@@ -163,10 +163,10 @@ std::size_t run_count(const std::vector<Row>& rows) {
 /// Those rows of the published figures that are lattices, or those that are not.
 Reproduction genetic_figures(const char* title, bool are_lattices, const TableWatch& watch) {
   Reproduction result;
-  report::TextTable& table = result.table;
+  TextTable& table = result.table;
   table.title = title;
-  table.columns = {{"points", report::Align::kLeft},
-                   {"objective", report::Align::kLeft},
+  table.columns = {{"points", Align::kLeft},
+                   {"objective", Align::kLeft},
                    {"optimum"},
                    {"printed"},
                    {"fitness, %"},
@@ -177,7 +177,7 @@ Reproduction genetic_figures(const char* title, bool are_lattices, const TableWa
                    {"runs"},
                    {"thousand individuals"},
                    {"s a run"},
-                   {"operators", report::Align::kLeft}};
+                   {"operators", Align::kLeft}};
   const auto is_wanted = [&](const Row& row) {
     return order::parse_lattice(row.problem).has_value() == are_lattices;
   };
@@ -226,7 +226,7 @@ Reproduction large_instance(const TableWatch& watch) {
   Reproduction result;
   result.table.title = "Tour table 6.2: FI10639 in the printed 200 s";
   result.table.columns = {
-      {"algorithm", report::Align::kLeft}, {"printed"}, {"length"}, {"optimum / length, %"}, {"s"}};
+      {"algorithm", Align::kLeft}, {"printed"}, {"length"}, {"optimum / length, %"}, {"s"}};
   result.table.notes.push_back("ends by the clock, so its figures change with the machine and its load");
   const auto problem = problem_of("fi10639.tsp");
   if (!problem) {

@@ -73,7 +73,7 @@ struct Figure {
 };
 
 struct Reproduction {
-  report::TextTable table;
+  TextTable table;
   std::vector<Figure> figures = {};
   std::vector<Compared> compared;
 

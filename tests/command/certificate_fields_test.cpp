@@ -14,7 +14,7 @@
 namespace clearcut {
 namespace {
 
-pipeline::PlanResult plan_example(resolve::PlanOptions options) {
+PlanResult plan_example(PlanOptions options) {
   const std::string file = std::string(CLEARCUT_SOURCE_DIR) + "/examples/fishhead.p21";
   options.strategy = "contour";
   return pipeline::plan_part(read::read_part(file, {}), options);
@@ -32,7 +32,7 @@ void expect_figures(const nlohmann::json& json, const std::string& where) {
 }
 
 TEST(CertificateFields, AreAllThereInAllAndPerFeatureAndLayer) {
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.shop.material = "aluminium";
   const auto result = plan_example(options);
   const auto json = nlohmann::json::parse(report::certificate_json(result.part, result.findings, {}));
@@ -73,7 +73,7 @@ TEST(LengthBound, IsTheSumOfWhatTheCertificateLists) {
       "outer": [[0, 0], [60, 0], [60, 20], [120, 20], [120, 24], [60, 24], [60, 40], [0, 40]], "islands": [],
       "allowed": [{"outer": [[-20, -20], [140, -20], [140, 60], [-20, 60]], "islands": []}]})",
                            "block.json", {});
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.strategy = "zigzag";
   options.tools = {resolve::parse_tool("endmill:6")};
   options.stepdown = 2;
@@ -96,7 +96,7 @@ TEST(LengthBound, IsTheSumOfWhatTheCertificateLists) {
 }
 
 TEST(DraftedWalls, StandNoMoreThanTheScallopAskedForOffTheWall) {
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.strategy = "contour";
   options.scallop = 0.3;
   const auto part = read::read_part(std::string(CLEARCUT_SOURCE_DIR) + "/examples/fishhead_sloped.p21", {});

@@ -71,7 +71,7 @@ TEST(Methods, ToolsAreDrivenByTheirSpeeds) {
 
 /// Every subset of the cutters that leaves no more than the smallest, planned as one job with rest machining.
 double fastest_by_trial(const Part& part, const std::vector<Tool>& tools, double tool_change_s,
-                        resolve::PlanOptions options) {
+                        PlanOptions options) {
   const auto planned = [&](const std::vector<Tool>& of) {
     options.tools = of;
     return pipeline::plan_part(part, options).findings.all;
@@ -102,10 +102,10 @@ TEST(Methods, NoSubsetOfTheCuttersIsFasterThanTheBestSequence) {
       tools[i].diameter = std::array{4.0, 8.0, 14.0, 20.0}[i];
       tools[i].number = static_cast<int>(i) + 1;
     }
-    resolve::PlanOptions options;
+    PlanOptions options;
     options.tools = tools;
     options.strategy = "lom-corrected";
-    pipeline::ToolSpeeds speeds;
+    ToolSpeeds speeds;
     speeds.tool_change_s = 5;
     const auto sequence = pipeline::fastest_sequence(part, speeds, options);
     ASSERT_TRUE(sequence) << outline;

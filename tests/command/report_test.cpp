@@ -80,7 +80,7 @@ TEST(Page, PlaysInABrowser) {
 }
 
 /// A fixed step of 0.9 D leaves twelve rests in a star.
-pipeline::PlanResult planned_star() {
+PlanResult planned_star() {
   std::vector<Vec2> corners;
   for (int i = 0; i < 12; ++i) corners.push_back(direction_of(kPi * i / 6) * (i % 2 == 0 ? 50 : 28.8675));
   Part part;
@@ -91,15 +91,14 @@ pipeline::PlanResult planned_star() {
   feature.floor_z = -2;
   part.features = {feature};
   part.workplan.push_back({});
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.tools = {resolve::parse_tool("endmill:8")};
   options.strategy = "fixed";
   return pipeline::plan_part(part, options);
 }
 
 /// The document at a moment of a plan's page.
-std::string page_at(const pipeline::PlanResult& result, const char* moment,
-                    const Toolpath* earlier = nullptr) {
+std::string page_at(const PlanResult& result, const char* moment, const Toolpath* earlier = nullptr) {
   return document_in_browser(
       report::html(result.part, result.toolpath, result.findings, {Machine{}, result.program, earlier}),
       moment);
@@ -116,7 +115,7 @@ std::optional<double> left_in(const std::string& document) {
 /// The page colours what the certificate counts.
 TEST(Page, ColoursWhatIsLeft) {
   if (!installed("chromium")) GTEST_SKIP() << "chromium is absent; install the package chromium";
-  const pipeline::PlanResult result = planned_star();
+  const PlanResult result = planned_star();
   ASSERT_FALSE(result.findings.all.clean);
   const double uncut = result.findings.all.uncut_mm2;
   EXPECT_NEAR(left_in(page_at(result, "#t=1e9")).value_or(0), uncut, 0.25 * uncut);
@@ -139,7 +138,7 @@ Toolpath cut_before(const Part& part) {
 /// What was cut before is not there, and a hollow under a ceiling shows where the cutter has come down to it.
 TEST(Page, BeginsWithWhatWasCutBefore) {
   if (!installed("chromium")) GTEST_SKIP() << "chromium is absent; install the package chromium";
-  const pipeline::PlanResult result = planned_star();
+  const PlanResult result = planned_star();
   const double uncut = result.findings.all.uncut_mm2;
   Toolpath earlier = cut_before(result.part);
   EXPECT_EQ(left_in(page_at(result, "#t=1e9", &earlier)), 0.0);

@@ -60,7 +60,7 @@ Tool endmill(double diameter) {
 
 /// What is wrong, or nothing.
 std::string fault_of(const RandomRegion& random_region, double diameter) {
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.strategy = "contour";
   options.stepdown = 2;
   options.tools = {endmill(diameter)};

@@ -152,7 +152,7 @@ TEST(Contour, ClearsEveryShapeWithEveryCutter) {
 TEST(Contour, EveryShapeIsCertifiedClean) {
   for (const auto& [name, part] : pockets()) {
     for (const double diameter : {6.0, 10.0}) {
-      resolve::PlanOptions options;
+      PlanOptions options;
       options.strategy = "contour";
       options.tools = {resolve::parse_tool("endmill:" + std::to_string(diameter))};
       const auto result = pipeline::plan_part(part, options);

@@ -19,7 +19,7 @@ constexpr double kWider = 0.022;
 
 PlanResult planned(const std::string& entities, const std::string& dogbones,
                    const std::string& tool = "endmill:6") {
-  resolve::PlanOptions options = with({tool});
+  PlanOptions options = with({tool});
   options.shop.dogbones = dogbones;
   options.accept = {"out-of-reach"};
   return plan_part(drawn(entities), options);
@@ -91,7 +91,7 @@ TEST(Dogbones, AreNotCutThroughWallsAndThatIsSaid) {
 
 /// Both pockets end at one wall: beyond it the lower one's bones have all of their depth to cut.
 TEST(Dogbones, OfAPocketUnderAnotherAreCutFromTheTopBeyondIt) {
-  resolve::PlanOptions options = with({"endmill:6", "endmill:3"});
+  PlanOptions options = with({"endmill:6", "endmill:3"});
   options.shop.dogbones = "corner";
   options.shop.rest = true;
   options.accept = {"out-of-reach"};
@@ -102,7 +102,7 @@ TEST(Dogbones, OfAPocketUnderAnotherAreCutFromTheTopBeyondIt) {
 }
 
 TEST(Dogbones, WithoutThemTheCornersStay) {
-  resolve::PlanOptions options = with({"endmill:6"});
+  PlanOptions options = with({"endmill:6"});
   const PlanResult plain = plan_part(drawn(box("POCKET_D3", 0, 0, 40, 30)), options);
   EXPECT_GT(nearest(plain.toolpath, {0, 0}, -3), 4.2);
 }

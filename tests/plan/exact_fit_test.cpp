@@ -38,10 +38,10 @@ Part random_pocket(int seed) {
   return part_of(outline);
 }
 
-resolve::PlanOptions with_diameter(double diameter) {
+PlanOptions with_diameter(double diameter) {
   Tool tool;
   tool.diameter = diameter;
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.tools = {tool};
   return options;
 }
@@ -131,7 +131,7 @@ TEST(ExactFit, PlannerAndVerifierAgreeAboutSlotsOfTheCuttersWidthToMicrometres) 
     const double diameter = random.between(2, 10), over = random.between(-0.003, 0.003);
     constexpr std::array kMakers{neck, comb, slot};
     const Part part = kMakers[seed % kMakers.size()](diameter + over, diameter, random);
-    resolve::PlanOptions options = with_diameter(diameter);
+    PlanOptions options = with_diameter(diameter);
     options.strategy = "contour";
     try {
       const auto result = pipeline::plan_part(part, options);

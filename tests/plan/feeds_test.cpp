@@ -22,7 +22,7 @@ Part pocket_with_island(double diameter) {
 
 TEST(Feeds, EveryKindOfMoveHasItsOwn) {
   for (const char* strategy : {"contour", "zigzag", "spiral", "adaptive"}) {
-    resolve::PlanOptions options;
+    PlanOptions options;
     options.strategy = strategy;
     options.cutting.feed = MmPerMin::of(1000);
     options.cutting.plunge_feed = MmPerMin::of(111);
@@ -56,7 +56,7 @@ TEST(Feeds, EveryKindOfMoveHasItsOwn) {
 }
 
 /// Degrees of the cutter's circle in material, at most, on level moves faster than `feed`.
-double widest_contact_above(const pipeline::PlanResult& result, double feed) {
+double widest_contact_above(const PlanResult& result, double feed) {
   const double radius = result.part.tools.front().radius();
   const auto& stock = result.part.stock;
   stock::Material material(stock ? std::optional(stock->plan) : std::nullopt, 0, {radius});
@@ -83,7 +83,7 @@ TEST(Feeds, WhatIsFasterThanTheCuttingFeedCutsNothing) {
       Random random(static_cast<std::uint64_t>(i) + 1);
       const Part part = test_support::random_part(random, random.between(3, 8));
       if (part.features.front().target.empty()) continue;
-      resolve::PlanOptions options;
+      PlanOptions options;
       options.strategy = strategy;
       options.threads = 1;
       if (i % 2) options.shop.link_feed = MmPerMin::of(3000);
@@ -100,7 +100,7 @@ TEST(Feeds, WhatIsFasterThanTheCuttingFeedCutsNothing) {
 /// Whatever is stated, and where the cutter goes through what it has cut before.
 TEST(Feeds, NoneIsAboveTheMachines) {
   for (const char* strategy : {"contour", "adaptive"}) {
-    resolve::PlanOptions options;
+    PlanOptions options;
     options.strategy = strategy;
     options.machine.max_feed = MmPerMin::of(300);
     options.cutting.plunge_feed = options.cutting.ramp_feed = MmPerMin::of(2000);

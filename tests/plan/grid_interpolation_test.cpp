@@ -54,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Table1Row{30, 3, "keep", 961, 81}, Table1Row{30, 3, "strict", 961, 64}));
 
 TEST(GridTable, EveryOrderIsProvenWithinTheirSeconds) {
-  const report::TextTable table = studies::grid_reduction_table();
+  const TextTable table = studies::grid_reduction_table();
   ASSERT_EQ(table.rows.size(), 6u);
   for (const auto& row : table.rows) {
     EXPECT_EQ(row[7], "optimal") << row[0];

@@ -42,7 +42,7 @@ diameter = 4
 // --- Whole jobs.
 
 /// Every reduced point is visited once, and the program's own feed moves reach it.
-void expect_all_visited(const pipeline::ElementsResult& result) {
+void expect_all_visited(const ElementsResult& result) {
   std::set<int> visits;
   for (const auto& point : result.points.points) {
     EXPECT_EQ(point.visit > 0, point.reduced);

@@ -77,7 +77,7 @@ TEST(Holes, DeepOnesArePeckedAndTheControlSaysSoInOneBlock) {
 TEST(Holes, EveryControlMakesTheSameHole) {
   for (const auto& dialect : post::post_dialects()) {
     for (const bool inch : {false, true}) {
-      resolve::PlanOptions options = test_support::plan_options_with({"drill:6"});
+      PlanOptions options = test_support::plan_options_with({"drill:6"});
       options.post.dialect = dialect;
       options.post.inch = inch;
       const auto result = pipeline::plan_part(part_with_hole(6, 30), options);
@@ -149,7 +149,7 @@ TEST(Holes, SmallerMillsBoreAlongAHelixAndCloseTheFloor) {
 
 TEST(Holes, BoringClimbsWithTheSpindleEitherWayRound) {
   for (const bool clockwise : {true, false}) {
-    resolve::PlanOptions options = test_support::plan_options_with({"endmill:6"});
+    PlanOptions options = test_support::plan_options_with({"endmill:6"});
     Part part = part_with_hole(10, 6);
     part.workplan[0].operation.cutting.spindle_clockwise = clockwise;
     const auto result = pipeline::plan_part(part, options);
@@ -162,7 +162,7 @@ TEST(Holes, BoringClimbsWithTheSpindleEitherWayRound) {
 }
 
 TEST(Holes, StockIsLeftInABore) {
-  resolve::PlanOptions options = test_support::plan_options_with({"endmill:6"});
+  PlanOptions options = test_support::plan_options_with({"endmill:6"});
   options.allowance = 0.25;
   const auto result = pipeline::plan_part(part_with_hole(10, 6), options);
   expect_clean(result, "with stock to leave");
@@ -230,7 +230,7 @@ Part pocket_with_drilled_hole(double drill, double hole_depth) {
 }
 
 /// Ways of the mill down into the pocket beside the hole.
-int entries_beside_hole(const pipeline::PlanResult& result) {
+int entries_beside_hole(const PlanResult& result) {
   int beside = 0;
   for (const Section& section : result.toolpath.sections) {
     if (section.tool_number != 1) continue;
@@ -244,7 +244,7 @@ int entries_beside_hole(const pipeline::PlanResult& result) {
 
 TEST(Holes, ADrilledHoleIsTheWayDownIntoThePocketRoundIt) {
   for (const std::string strategy : {"contour", "zigzag", "spiral", "adaptive", "tour", "auto"}) {
-    resolve::PlanOptions options;
+    PlanOptions options;
     options.strategy = strategy;
     // As deep as the pocket, and by the drill's point deeper.
     const auto result = pipeline::plan_part(pocket_with_drilled_hole(8, 8.5), options);
@@ -255,7 +255,7 @@ TEST(Holes, ADrilledHoleIsTheWayDownIntoThePocketRoundIt) {
 
 /// Too shallow is one, too, in which the cone of the drill stands over the pocket's floor.
 TEST(Holes, AHoleThatIsTooShallowOrTooNarrowIsNoWayDown) {
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.strategy = "contour";
   for (const Part& part :
        {pocket_with_drilled_hole(8, 4), pocket_with_drilled_hole(8, 6), pocket_with_drilled_hole(5, 8.5)}) {

@@ -21,7 +21,7 @@ constexpr double kDiameter = 10;
 /// "" when the plan is certified clean, or the strategy is refused by its name with another proposed; else its first
 /// fault.
 std::string fault_of(const Part& part, const std::string& strategy) {
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.strategy = strategy;
   try {
     const auto result = pipeline::plan_part(part, options);

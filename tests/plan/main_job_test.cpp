@@ -25,7 +25,7 @@ using test_support::data_folder;
 using test_support::expect_clean;
 using test_support::with_tool;
 
-pipeline::PlanResult plan_outline(const std::string& json, double diameter) {
+PlanResult plan_outline(const std::string& json, double diameter) {
   const test_support::ScratchFolder folder;
   return pipeline::plan_part(read::read_part(folder.file("a.json", json), {}), with_tool(diameter));
 }
@@ -54,7 +54,7 @@ TEST(MainJob, ExactFitsArePlungedOrCutInOnePass) {
       outline("[[4.58257569495584,2,4.7912878474779195],[4.58257569495584,-2,0],[20,-2,0],[20,2,0]]");
   for (const auto& json : {circle, square, turned, keyhole}) {
     for (const std::string strategy : {"auto", "adaptive", "lom"}) {
-      resolve::PlanOptions options = with_tool(10);
+      PlanOptions options = with_tool(10);
       options.strategy = strategy;
       const test_support::ScratchFolder folder;
       const auto result = pipeline::plan_part(read::read_part(folder.file("a.json", json), {}), options);
@@ -106,7 +106,7 @@ TEST(MainJob, StockOnWallsAndRoundCornersLeaveNothingAtOpenSides) {
 }
 
 TEST(MainJob, FishheadIsCleanInEveryWorkingstep) {
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.stepdown = 2;
   const auto result = pipeline::plan_part(
       read::read_part(std::string(CLEARCUT_SOURCE_DIR) + "/examples/fishhead.p21", {}), options);
@@ -130,7 +130,7 @@ TEST(MainJob, FishheadIsCleanInEveryWorkingstep) {
 
 TEST(MainJob, ControllersOwnInterpreterAcceptsTheProgram) {
   CLEARCUT_SKIP_WITHOUT_RS274();
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.stepdown = 2;
   const auto result = pipeline::plan_part(
       read::read_part(std::string(CLEARCUT_SOURCE_DIR) + "/examples/fishhead.p21", {}), options);

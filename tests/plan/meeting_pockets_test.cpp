@@ -42,7 +42,7 @@ Part part_with_wall(double thickness) {
 TEST(MeetingPockets, AreOneOverAWallThinnerThanTheRoundingOfADrawing) {
   Tool mill;
   mill.diameter = 1;
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.tools = {mill};
   options.strategy = "contour";
   for (const double thickness : {-0.001, -4e-6, 1e-7, 4e-6, 9e-6, 1.2e-5, 1e-4, 0.001}) {
@@ -89,7 +89,7 @@ Part part_drawn_twice(double off, double bend, std::uint64_t seed) {
 TEST(MeetingPockets, OnBothSidesOfALineDrawnTwiceAreCutWithoutFaults) {
   Tool mill;
   mill.diameter = 1;
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.tools = {mill};
   options.strategy = "contour";
   for (const double off : {1e-5, 5e-5, 1e-4, 2e-4, 5e-4, 1e-3, 2e-3, 5e-3, 0.02}) {
@@ -134,7 +134,7 @@ Part mosaic(double off, std::uint64_t seed) {
 TEST(MeetingPockets, OfAMosaicAreCutWithoutFaults) {
   Tool mill;
   mill.diameter = 1.7;
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.tools = {mill};
   for (const double off : {0.0, 1e-6, 1e-5, 1e-4, 2e-4}) {
     for (std::uint64_t seed = 0; seed < 9; ++seed) {
@@ -149,7 +149,7 @@ TEST(MeetingPockets, OfAMosaicAreCutWithoutFaults) {
 TEST(MeetingPockets, AreCutAcrossASliverButNotAcrossAWall) {
   Tool mill;
   mill.diameter = 1;
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.tools = {mill};
   options.strategy = "zigzag";
   const std::string program = pipeline::plan_part(part_with_wall(0), options).program;

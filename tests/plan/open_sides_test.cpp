@@ -81,7 +81,7 @@ struct Entries {
 };
 
 /// Runs of feed moves downwards, by what is under the cutter before.
-Entries entries_of(const pipeline::PlanResult& result) {
+Entries entries_of(const PlanResult& result) {
   const double radius = result.part.tools.front().radius();
   stock::Material material(result.part.stock->plan, 0, {radius});
   const Regions reached = reached_from_outside(result.part);
@@ -134,7 +134,7 @@ TEST(BesideTheBlock, NothingStandsWhateverIsPermitted) {
   for (const auto& [outer, allowed] : cases) {
     for (const char* strategy : {"contour", "zigzag", "spiral", "adaptive"}) {
       const Part part = read::read_part_text(pocket_in_block(outer, allowed), "block.json", {});
-      resolve::PlanOptions options = test_support::with_tool(6);
+      PlanOptions options = test_support::with_tool(6);
       options.strategy = strategy;
       EXPECT_TRUE(pipeline::plan_part(part, options).findings.all.clean) << allowed << strategy;
     }
@@ -164,7 +164,7 @@ INSTANTIATE_TEST_SUITE_P(Strategies, OpenSides,
                          [](const auto& strategy) { return strategy.param; });
 
 TEST_P(OpenSides, AreWhereTheCutterComesIn) {
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.strategy = GetParam();
   options.threads = 1;
   int parts = 0, outside = 0, unclean = 0, needless = 0;

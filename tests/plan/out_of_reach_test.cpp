@@ -19,7 +19,7 @@ std::optional<bool> open_of(const std::vector<Vec2>& outline, double diameter) {
   part.name = part.source_file = "pocket";
   part.features = {feature};
   part.workplan.push_back({});
-  resolve::PlanOptions options;
+  PlanOptions options;
   Tool tool;
   tool.diameter = diameter;
   options.tools = {tool};

@@ -141,7 +141,7 @@ TEST_P(RandomChamfers, NeitherGougeNorLeaveTheirEdge) {
                              (cone.tip_radius > 0 ? ":tip=0.4" : "");
     const Part part =
         drawn(outline("POCKET_D4", corners) + outline("CHAMFER_D" + std::to_string(depth), corners));
-    resolve::PlanOptions options = with({"endmill:3", tool});
+    PlanOptions options = with({"endmill:3", tool});
     options.accept = {"out-of-reach"};
     options.strategy = "contour";
     PlanResult result;

@@ -59,7 +59,7 @@ Part random_part(int kind, Random& random, double diameter) {
 }
 
 TEST(RandomCovers, AreProvenClean) {
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.strategy = "cover";
   options.threads = 1;
   options.time_s = 0.02;

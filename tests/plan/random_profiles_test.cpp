@@ -97,7 +97,7 @@ TEST_P(RandomProfiles, NeitherGougeNorLeaveTheirOutline) {
   int touched = 0;
   for (int seed = GetParam(); seed < kOutlines; seed += kShards) {
     const Case c = random_case(seed);
-    resolve::PlanOptions options = with({"endmill:" + std::to_string(static_cast<int>(c.diameter))});
+    PlanOptions options = with({"endmill:" + std::to_string(static_cast<int>(c.diameter))});
     options.accept = {"out-of-reach"};
     const PlanResult result = plan_part(drawn(pipeline::outline(c.layer, c.corners)), options);
     EXPECT_EQ(verdict_of(result.findings), Verdict::kClean) << seed << "\n" << faults_of(result.findings);

@@ -75,7 +75,7 @@ TEST(Entries, NoneIsSteeperThanAskedForAndNonePlungesIntoMaterial) {
   for (const char* tool : {"endmill:6", "endmill:6:noplunge"}) {
     for (const EntryKind entry : {EntryKind::kHelix, EntryKind::kRamp, EntryKind::kZigzagRamp}) {
       for (const double angle : {2.0, 8.0}) {
-        resolve::PlanOptions options = test_support::plan_options_with({tool});
+        PlanOptions options = test_support::plan_options_with({tool});
         options.entry = entry;
         options.entry_angle = Radians::of_degrees(angle);
         const auto result = pipeline::plan_part(part_of({rectangle(40, 25)}, 5), options);
@@ -92,7 +92,7 @@ TEST(Entries, NoneIsSteeperThanAskedForAndNonePlungesIntoMaterial) {
 }
 
 TEST(Entries, HelixKeepsItsDiameterOrGivesWayAndSaysSo) {
-  resolve::PlanOptions options = test_support::plan_options_with({"endmill:6"});
+  PlanOptions options = test_support::plan_options_with({"endmill:6"});
   options.entry = EntryKind::kHelix;
   options.shop.helix_widest = 3;
   const auto wide = pipeline::plan_part(part_of({rectangle(40, 25)}, 3), options);
@@ -111,7 +111,7 @@ TEST(Entries, HelixKeepsItsDiameterOrGivesWayAndSaysSo) {
 }
 
 TEST(Entries, APredrilledHoleIsTheWayDownForACutterThatMayNotPlunge) {
-  resolve::PlanOptions options = test_support::plan_options_with({"endmill:6:noplunge"});
+  PlanOptions options = test_support::plan_options_with({"endmill:6:noplunge"});
   options.entry = EntryKind::kPlunge;
   options.predrilled = {resolve::parse_predrilled("20,12.5:7")};
   const auto result = pipeline::plan_part(part_of({rectangle(40, 25)}, 5), options);
@@ -167,7 +167,7 @@ TEST(Leads, ARingBegunElsewhereIsTheSameRing) {
 
 TEST(SlotFeed, RulesWhereTheCutterIsInAllRoundAndOnlyThere) {
   const Part part = part_of({rectangle(60, 40)}, 2);
-  resolve::PlanOptions options = test_support::plan_options_with({"endmill:6"});
+  PlanOptions options = test_support::plan_options_with({"endmill:6"});
   const auto fast = pipeline::plan_part(part, options);
   options.cutting.slot_feed = MmPerMin::of(250);
   const auto slow = pipeline::plan_part(part, options);
@@ -184,7 +184,7 @@ TEST(SlotFeed, RulesWhereTheCutterIsInAllRoundAndOnlyThere) {
 }
 
 TEST(Finishing, LeavesStockFirstAndNothingAtTheEnd) {
-  resolve::PlanOptions options = test_support::plan_options_with({"endmill:6"});
+  PlanOptions options = test_support::plan_options_with({"endmill:6"});
   options.shop.finish = "all";
   options.shop.finish_stock = 0.4;
   options.shop.finish_depths = 2;
@@ -206,7 +206,7 @@ TEST(Finishing, LeavesStockFirstAndNothingAtTheEnd) {
 
 TEST(Finishing, WallsAreMetAndLeftByLeadsAndRunOverTheirStart) {
   for (const bool lines : {false, true}) {
-    resolve::PlanOptions options = test_support::plan_options_with({"endmill:6"});
+    PlanOptions options = test_support::plan_options_with({"endmill:6"});
     options.shop.finish = "walls";
     if (lines) options.lead_angle = Radians::of_degrees(30);
     const auto plain = pipeline::plan_part(part_of({rectangle(40, 30)}, 3), options);
@@ -234,7 +234,7 @@ TEST(Finishing, WallsAreMetAndLeftByLeadsAndRunOverTheirStart) {
 
 TEST(Rest, SmallerToolsCutOnlyWhatLargerOnesLeave) {
   Part part = part_of({rectangle(60, 40)}, 2);
-  resolve::PlanOptions options = test_support::plan_options_with({"endmill:12", "endmill:4"});
+  PlanOptions options = test_support::plan_options_with({"endmill:12", "endmill:4"});
   options.shop.rest = true;
   const auto both = pipeline::plan_part(part, options);
   expect_clean(both, "12 then 4");
@@ -249,7 +249,7 @@ TEST(Rest, SmallerToolsCutOnlyWhatLargerOnesLeave) {
 /// What a larger mill has cut is not milled again, whatever limits the engagement: that were 6421 mm here for four corners.
 TEST(Rest, WithinALimitOnlyWhatIsLeftIsCut) {
   for (const std::string style : {"", "machinist"}) {
-    resolve::PlanOptions options = test_support::plan_options_with({"endmill:6", "endmill:2"});
+    PlanOptions options = test_support::plan_options_with({"endmill:6", "endmill:2"});
     options.shop.rest = true;
     if (style.empty())
       options.strategy = "adaptive";
@@ -265,7 +265,7 @@ TEST(Rest, WithinALimitOnlyWhatIsLeftIsCut) {
 TEST(Rest, RandomPocketsAreCleanWithTwoTools) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     Random random(seed);
-    resolve::PlanOptions options = test_support::plan_options_with({"endmill:9", "endmill:3.5"});
+    PlanOptions options = test_support::plan_options_with({"endmill:9", "endmill:3.5"});
     options.shop.rest = true;
     const double size = random.between(20, 50);
     const Vec2 corners[] = {
@@ -280,7 +280,7 @@ TEST(Rest, RandomPocketsAreCleanWithTwoTools) {
 TEST(Rest, SeveralCuttersChosenBySizeLeaveNothingOverWhatLiesUnder) {
   const Part part = read::read_part(std::string(CLEARCUT_SOURCE_DIR) + "/examples/fishhead.p21", {});
   for (const bool rest : {false, true}) {
-    resolve::PlanOptions options;
+    PlanOptions options;
     for (const char* tool : {"facemill:40", "endmill:20", "endmill:10", "endmill:6", "endmill:4"})
       options.tools.push_back(resolve::parse_tool(tool));
     options.strategy = "zigzag";
@@ -292,7 +292,7 @@ TEST(Rest, SeveralCuttersChosenBySizeLeaveNothingOverWhatLiesUnder) {
 TEST(Rest, AnEarlierProgramIsTakenIntoAccountAndCertifiedWith) {
   const Part part = part_of({rectangle(60, 40)}, 2);
   const auto before = pipeline::plan_part(part, test_support::plan_options_with({"endmill:12:T3"}));
-  resolve::PlanOptions options = test_support::plan_options_with({"endmill:12:T3", "endmill:4:T1"});
+  PlanOptions options = test_support::plan_options_with({"endmill:12:T3", "endmill:4:T1"});
   options.earlier = read::gcode::read_gcode(before.program, "before.ngc").toolpath;
   const auto after = pipeline::plan_part(part, options);
   expect_clean(after, "after");
@@ -300,8 +300,8 @@ TEST(Rest, AnEarlierProgramIsTakenIntoAccountAndCertifiedWith) {
   EXPECT_LT(
       after.findings.all.feed_mm,
       0.25 * pipeline::plan_part(part, test_support::plan_options_with({"endmill:4"})).findings.all.feed_mm);
-  pipeline::CheckResult alone = pipeline::check_program(part, after.program, "after.ngc",
-                                                        test_support::plan_options_with({"endmill:4:T1"}));
+  CheckResult alone = pipeline::check_program(part, after.program, "after.ngc",
+                                              test_support::plan_options_with({"endmill:4:T1"}));
   EXPECT_FALSE(alone.findings.all.clean) << "without the earlier program nearly all is left";
 }
 
@@ -311,9 +311,9 @@ TEST(Rest, AfterAProgramOfTheSameCutterNothingIsCut) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     Random random(seed);
     const Part part = test_support::random_part(random, 6);
-    resolve::PlanOptions options;
+    PlanOptions options;
     options.strategy = seed % 2 ? "contour" : "zigzag";
-    pipeline::PlanResult before;
+    PlanResult before;
     try {
       before = pipeline::plan_part(part, options);
     } catch (const InputError&) {
@@ -329,7 +329,7 @@ TEST(Rest, AfterAProgramOfTheSameCutterNothingIsCut) {
 }
 
 TEST(Shop, RapidsThatNeedAFeedHaveTheMachines) {
-  resolve::PlanOptions options = test_support::plan_options_with({"endmill:6"});
+  PlanOptions options = test_support::plan_options_with({"endmill:6"});
   options.post.dialect = "marlin";
   options.machine.rapid = MmPerMin::of(1800);
   const std::string program = pipeline::plan_part(part_of({rectangle(20, 15)}, 2), options).program;
@@ -338,7 +338,7 @@ TEST(Shop, RapidsThatNeedAFeedHaveTheMachines) {
 
 TEST(Shop, ImpossibleOptionsAreRefusedByName) {
   const auto refused = [](auto&& change) {
-    resolve::PlanOptions options;
+    PlanOptions options;
     change(options);
     try {
       resolve::check(options);
@@ -348,14 +348,13 @@ TEST(Shop, ImpossibleOptionsAreRefusedByName) {
     return std::string("accepted");
   };
   using ::testing::HasSubstr;
-  EXPECT_THAT(refused([](resolve::PlanOptions& o) { o.shop.finish = "ceiling"; }),
+  EXPECT_THAT(refused([](PlanOptions& o) { o.shop.finish = "ceiling"; }),
               HasSubstr("--finish: 'ceiling' is unknown; use one of walls, floor, all"));
-  EXPECT_THAT(refused([](resolve::PlanOptions& o) { o.shop.finish_depths = 1.5; }),
-              HasSubstr("--finish-depths"));
-  EXPECT_THAT(refused([](resolve::PlanOptions& o) { o.shop.material = "cheese"; }),
+  EXPECT_THAT(refused([](PlanOptions& o) { o.shop.finish_depths = 1.5; }), HasSubstr("--finish-depths"));
+  EXPECT_THAT(refused([](PlanOptions& o) { o.shop.material = "cheese"; }),
               HasSubstr("'cheese' is unknown; use one of"));
-  EXPECT_THAT(refused([](resolve::PlanOptions& o) { o.lead = -1; }), HasSubstr("--lead"));
-  EXPECT_THAT(refused([](resolve::PlanOptions& o) { o.entry_angle = Radians::of_degrees(95); }),
+  EXPECT_THAT(refused([](PlanOptions& o) { o.lead = -1; }), HasSubstr("--lead"));
+  EXPECT_THAT(refused([](PlanOptions& o) { o.entry_angle = Radians::of_degrees(95); }),
               HasSubstr("--entry-angle"));
 }
 

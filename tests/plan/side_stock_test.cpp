@@ -22,19 +22,19 @@ Part fishhead_with(double corner_radius) {
 }
 
 /// No fault means, among others, that no cut is deeper than the stepdown.
-void expect_clean_fishhead(double corner_radius, const resolve::PlanOptions& options) {
+void expect_clean_fishhead(double corner_radius, const PlanOptions& options) {
   expect_clean(pipeline::plan_part(fishhead_with(corner_radius), options),
                "corners " + std::to_string(corner_radius));
 }
 
-resolve::PlanOptions leaving(double stock) {
-  resolve::PlanOptions options;
+PlanOptions leaving(double stock) {
+  PlanOptions options;
   options.allowance = stock;
   return options;
 }
 
-resolve::PlanOptions finishing(const std::string& what, double stock) {
-  resolve::PlanOptions options;
+PlanOptions finishing(const std::string& what, double stock) {
+  PlanOptions options;
   options.shop.finish = what;
   options.shop.finish_stock = stock;
   return options;

@@ -19,15 +19,15 @@
 namespace clearcut {
 namespace {
 
-resolve::PlanOptions options_for(const std::string& strategy) {
-  resolve::PlanOptions options;
+PlanOptions options_for(const std::string& strategy) {
+  PlanOptions options;
   options.strategy = strategy;
   return options;
 }
 
 /// "" when the plan is certified clean, else its worst fault. Where the cutter fits nowhere, or not into one of several
 /// regions, that is said and no fault of the strategy.
-std::string fault_of(const Part& part, const resolve::PlanOptions& options) {
+std::string fault_of(const Part& part, const PlanOptions& options) {
   try {
     for (const auto& fault : pipeline::plan_part(part, options).findings.faults) {
       if (fault.kind != FaultKind::kNothingCut) return fault.text;
@@ -248,7 +248,7 @@ TEST(Auto, UnderAnEngagementLimitOnlyStrategiesThatHoldItCount) {
 TEST(Auto, KeepsTheDirectionThatIsAskedFor) {
   const Part part =
       test_support::part_of(rectangle(50, 40), rectangle(50, 40), FeatureKind::kClosedPocket, 6);
-  const auto candidates = [&](const resolve::PlanOptions& options) {
+  const auto candidates = [&](const PlanOptions& options) {
     std::vector<std::string> names;
     const auto selection = pipeline::plan_part(part, options).selections.front();
     for (const auto& one : selection.candidates) names.push_back(one.strategy);

@@ -34,7 +34,7 @@ double cone_height(const Toolpath& toolpath, Vec2 p, double slope) {
   return lowest;
 }
 
-resolve::PlanOptions accepted(resolve::PlanOptions options) {
+PlanOptions accepted(PlanOptions options) {
   options.accept = {"leaning-walls", "out-of-reach"};
   return options;
 }

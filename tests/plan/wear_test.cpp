@@ -33,15 +33,15 @@ Part pocket(double width, double height) {
   return part;
 }
 
-resolve::PlanOptions finishing(const std::string& post) {
-  resolve::PlanOptions options = test_support::plan_options_with({"endmill:6"});
+PlanOptions finishing(const std::string& post) {
+  PlanOptions options = test_support::plan_options_with({"endmill:6"});
   options.shop.finish = "walls";
   options.post.dialect = post;
   return options;
 }
 
 TEST(SpringPasses, RunTheLastPassAgainAndLeaveTheVerdictAsItIs) {
-  resolve::PlanOptions options = finishing("linuxcnc");
+  PlanOptions options = finishing("linuxcnc");
   options.shop.spring_passes = 2;
   const auto result = pipeline::plan_part(pocket(40, 30), options);
   test_support::expect_clean(result, "with spring passes");
@@ -59,7 +59,7 @@ TEST(SpringPasses, RunTheLastPassAgainAndLeaveTheVerdictAsItIs) {
 }
 
 TEST(FinishSteps, BringWallsToSizeInPassesBesideEachOther) {
-  resolve::PlanOptions options = finishing("linuxcnc");
+  PlanOptions options = finishing("linuxcnc");
   options.shop.finish_stock = 0.4;
   options.shop.finish_steps = 2;
   const auto result = pipeline::plan_part(pocket(40, 30), options);
@@ -78,9 +78,9 @@ TEST(FinishSteps, BringWallsToSizeInPassesBesideEachOther) {
 TEST(WearCompensation, IsWrittenAlongWallsAndHoldsAtBothEndsOfItsRange) {
   for (const char* post : {"linuxcnc", "haas", "siemens"}) {
     SCOPED_TRACE(post);
-    resolve::PlanOptions options = finishing(post);
+    PlanOptions options = finishing(post);
     const auto plain = pipeline::plan_part(pocket(40, 30), [&] {
-      resolve::PlanOptions lines = options;
+      PlanOptions lines = options;
       lines.lead_angle = Radians::of_degrees(45);
       return lines;
     }());
@@ -92,7 +92,7 @@ TEST(WearCompensation, IsWrittenAlongWallsAndHoldsAtBothEndsOfItsRange) {
     EXPECT_THAT(result.program, HasSubstr("G41"));
     EXPECT_THAT(result.program, HasSubstr("G40"));
     EXPECT_THAT(plain.program, Not(HasSubstr("G41")));
-    const auto along_walls = [](const pipeline::PlanResult& plan) {
+    const auto along_walls = [](const PlanResult& plan) {
       std::vector<Edge> paths;
       for (const Move& move : plan.toolpath.sections.back().moves)
         if (move.kind == MoveKind::kCut) paths.push_back(move.path);
@@ -124,8 +124,7 @@ TEST(WearCompensation, PlansOfRandomOutlinesHoldOverTheWholeRange) {
     constexpr const char* kLayers[] = {"POCKET_D3", "PROFILE_D3", "INSIDE_D2", "POCKET_D1"};
     const char* layer = kLayers[seed % 4];
     const auto outline = star(random, 14, 26);
-    resolve::PlanOptions options =
-        test_support::plan_options_with({random.below(2) == 0 ? "endmill:6" : "endmill:3"});
+    PlanOptions options = test_support::plan_options_with({random.below(2) == 0 ? "endmill:6" : "endmill:3"});
     options.shop.finish = "walls";
     options.shop.compensation = "wear";
     options.shop.wear_range = random.below(2) == 0 ? 0.05 : 0.1;
@@ -141,7 +140,7 @@ TEST(WearCompensation, PlansOfRandomOutlinesHoldOverTheWholeRange) {
 /// Passes that the control does not shift leave nothing between them when the cutter is smaller, by places of the floor and their
 /// distance from the paths alone.
 TEST(WearCompensation, ASmallerCutterLeavesNothingBetweenPassesThatAreNotShifted) {
-  resolve::PlanOptions options = finishing("linuxcnc");
+  PlanOptions options = finishing("linuxcnc");
   options.shop.compensation = "wear";
   options.shop.wear_range = 0.2;
   const auto result = pipeline::plan_part(pocket(60, 45), options);
@@ -187,7 +186,7 @@ TEST(FinishedProfiles, AreLedIntoFromTheirSlot) {
 
 /// What is asked of a program with the options of its plan is what the plan was found to be.
 TEST(FinishDepths, AreNoLimitOfRoughing) {
-  resolve::PlanOptions options = finishing("linuxcnc");
+  PlanOptions options = finishing("linuxcnc");
   options.shop.finish_depths = 2;
   const auto result = pipeline::plan_part(pocket(40, 30), options);
   test_support::expect_clean(result, "in two depths");
@@ -197,7 +196,7 @@ TEST(FinishDepths, AreNoLimitOfRoughing) {
 
 TEST(WearCompensation, IsRefusedByNameWhereTheControlHasNone) {
   for (const char* post : {"grbl", "marlin", "heidenhain"}) {
-    resolve::PlanOptions options = finishing(post);
+    PlanOptions options = finishing(post);
     options.shop.compensation = "wear";
     try {
       pipeline::plan_part(pocket(40, 30), options);
@@ -209,7 +208,7 @@ TEST(WearCompensation, IsRefusedByNameWhereTheControlHasNone) {
 }
 
 TEST(WearCompensation, LeadsThatAreShorterThanTheRangeAreRefused) {
-  resolve::PlanOptions options = finishing("linuxcnc");
+  PlanOptions options = finishing("linuxcnc");
   options.shop.compensation = "wear";
   options.shop.wear_range = 0.5;
   options.lead = 0.6;
@@ -222,10 +221,10 @@ TEST(WearCompensation, LeadsThatAreShorterThanTheRangeAreRefused) {
 }
 
 TEST(WearCompensation, VerifyAsksTheSameOfTheProgram) {
-  resolve::PlanOptions options = finishing("linuxcnc");
+  PlanOptions options = finishing("linuxcnc");
   options.shop.compensation = "wear";
   const auto result = pipeline::plan_part(pocket(40, 30), options);
-  resolve::PlanOptions asked = test_support::plan_options_with({"endmill:6"});
+  PlanOptions asked = test_support::plan_options_with({"endmill:6"});
   asked.shop.compensation = "wear";
   const auto checked = pipeline::check_program(pocket(40, 30), result.program, "a.ngc", asked);
   EXPECT_EQ(verdict_of(checked.findings), Verdict::kClean) << verdict_and_reasons(checked.findings);
@@ -246,9 +245,9 @@ TEST(Compensation, ToolsWithoutNumbersHaveThoseOfTheirOrder) {
   const std::string program =
       "G21 G90 G17 G94 G40 G49 G54\nT2 M6\nS5000 M3\nG0 X-20 Y-20 Z5\nG1 Z-2 F200\nG41 D2 X0 Y-10 F600\nY50\n"
       "G40 X-30 Y60\nG0 Z5\nM30\n";
-  resolve::PlanOptions options = test_support::plan_options_with({"endmill:6", "endmill:4"});
+  PlanOptions options = test_support::plan_options_with({"endmill:6", "endmill:4"});
   const auto result = pipeline::check_program_alone(Stock{{{-50, -50}, {100, 100}}, -5, 0}, program, "two.nc",
-                                                    options, read::gcode::Dialect::kLinuxCnc);
+                                                    options, Dialect::kLinuxCnc);
   double along = 0;
   for (const Move& move : result.toolpath.sections.back().moves)
     if (move.path.from.y < 0 && move.path.to.y > 40) along = move.path.to.x;
@@ -256,8 +255,8 @@ TEST(Compensation, ToolsWithoutNumbersHaveThoseOfTheirOrder) {
 }
 
 /// Adaptive passes and walls with a lead of 1 mm, compensated for up to 0.1 mm of wear.
-resolve::PlanOptions worn_by_load(FeedBy by) {
-  resolve::PlanOptions options = finishing("fanuc");
+PlanOptions worn_by_load(FeedBy by) {
+  PlanOptions options = finishing("fanuc");
   options.strategy = "contour";
   options.shop.feed_by = by;
   options.shop.compensation = "wear";
@@ -268,7 +267,7 @@ resolve::PlanOptions worn_by_load(FeedBy by) {
 TEST(WearCompensation, FeedsThatFollowTheLoadHoldAtBothEndsOfItsRange) {
   for (const FeedBy by : {FeedBy::kChip, FeedBy::kRemoval}) {
     const auto nominal = [&] {
-      resolve::PlanOptions options = worn_by_load(by);
+      PlanOptions options = worn_by_load(by);
       options.shop.compensation.reset();
       options.shop.wear_range.reset();
       return pipeline::plan_part(pocket(40, 30), options);
@@ -280,12 +279,12 @@ TEST(WearCompensation, FeedsThatFollowTheLoadHoldAtBothEndsOfItsRange) {
 }
 
 TEST(WearCompensation, FeedsOfAProgramAreLoweredForBothEndsOfItsRange) {
-  resolve::PlanOptions options = worn_by_load(FeedBy::kChip);
+  PlanOptions options = worn_by_load(FeedBy::kChip);
   options.shop.feed_by.reset();
   const auto plain = pipeline::plan_part(pocket(40, 30), options);
   options.shop.feed_by = FeedBy::kChip;
   const Part part = pocket(40, 30);
-  pipeline::ProgramQuestion question;
+  ProgramQuestion question;
   question.part = &part;
   const auto feeds = pipeline::feeds_of_program(question, plain.program, "p.nc", options);
   EXPECT_TRUE(feeds.after.findings.faults.empty()) << pipeline::faults_of(feeds.after.findings);

@@ -71,7 +71,7 @@ Part part_of_pockets(Random& random) {
 }
 
 /// Plans, posts, certifies and simulates random parts; a cutter that fits nowhere is no fault.
-void expect_clean_parts(const resolve::PlanOptions& options, int count,
+void expect_clean_parts(const PlanOptions& options, int count,
                         const std::function<void(Part&, Random&)>& changed = {}) {
   int cut = 0;
   for (int seed = 1; seed <= count; ++seed) {
@@ -80,7 +80,7 @@ void expect_clean_parts(const resolve::PlanOptions& options, int count,
     if (part.workplan.empty()) continue;
     if (changed) changed(part, random);
     try {
-      const pipeline::PlanResult result = pipeline::plan_part(part, options);
+      const PlanResult result = pipeline::plan_part(part, options);
       for (const auto& fault : result.findings.faults) {
         if (fault.kind != FaultKind::kNothingCut) ADD_FAILURE() << "seed " << seed << ": " << fault.text;
       }
@@ -99,19 +99,19 @@ INSTANTIATE_TEST_SUITE_P(Filling, WholeParts, testing::Values("auto", "zigzag", 
                          [](const auto& strategy) { return strategy.param; });
 
 TEST_P(WholeParts, AreCleanInAFieldOfHeights) {
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.strategy = GetParam();
   expect_clean_parts(options, test_support::random_count(6));
 }
 
 TEST(WholePart, IsCleanWithAllCuttersEachOnWhatIsLeft) {
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.shop.rest = true;
   expect_clean_parts(options, test_support::random_count(4));
 }
 
 TEST(WholePart, IsCleanWithFinishing) {
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.shop.finish = "all";
   expect_clean_parts(options, test_support::random_count(4));
 }
@@ -130,7 +130,7 @@ TEST(WholePart, IsCleanWithStockLeftInEveryStep) {
 }
 
 TEST(WholePart, IsCleanWithStockThatIsFinishedAfterwards) {
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.shop.finish = "all";
   options.shop.finish_stock = 0.8;
   options.shop.finish_stock_floor = 0.4;

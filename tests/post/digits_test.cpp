@@ -21,10 +21,10 @@ struct Reach {
 
 Reach reach_of(const std::string& dialect) {
   const auto file = std::filesystem::path(CLEARCUT_BINARY_DIR) / "tests/wrong_programs/parts/pocket.json";
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.tools.push_back(resolve::parse_tool("endmill:6"));
   options.post.dialect = dialect;
-  const pipeline::PlanResult planned = pipeline::plan_part(read::read_part(file, {}), options);
+  const PlanResult planned = pipeline::plan_part(read::read_part(file, {}), options);
   EXPECT_TRUE(planned.findings.all.clean) << dialect;
   Reach reach;
   for (const Section& section : planned.toolpath.sections) {

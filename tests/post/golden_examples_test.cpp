@@ -77,8 +77,8 @@ bool is_solid(const Example& example) {
   return fs::path(example.file).extension() == ".step";
 }
 
-resolve::PlanOptions options_of(const Case& c, bool inch) {
-  resolve::PlanOptions options;
+PlanOptions options_of(const Case& c, bool inch) {
+  PlanOptions options;
   if (c.example.file == std::string("bracket.toml"))
     options.machine = read::read_job(file_of(c.example)).machine;
   if (c.example.file == std::string("inch_plate.dxf")) options.tabs.count = 4;
@@ -124,16 +124,16 @@ void expect_accepted(const std::string& dialect, const std::string& program) {
 /// Plans, compares with the golden program, and checks what stands there.
 Toolpath checked_program(const Case& c, bool inch) {
   const Part part = read::read_part(file_of(c.example), {});
-  const resolve::PlanOptions options = options_of(c, inch);
-  const pipeline::PlanResult planned = pipeline::plan_part(part, options);
+  const PlanOptions options = options_of(c, inch);
+  const PlanResult planned = pipeline::plan_part(part, options);
   EXPECT_EQ(difference_from_golden(c, inch, planned.program), "");
   if (c.dialect == "marlin" && c.example.has_many_holes) {
     // Its programs name no tools: read back they are checked with those of the workplan in its order, holes run in another.
     EXPECT_TRUE(planned.findings.all.clean);
     return planned.toolpath;
   }
-  const pipeline::CheckResult checked = pipeline::check_program(part, planned.program, "golden", options,
-                                                                read::gcode::dialect_named(c.dialect));
+  const CheckResult checked = pipeline::check_program(part, planned.program, "golden", options,
+                                                      read::gcode::dialect_named(c.dialect));
   EXPECT_EQ(verdict_and_reasons(checked.findings), "CLEAN\n");
   expect_accepted(c.dialect, planned.program);
   return checked.toolpath;
@@ -186,7 +186,7 @@ TEST(OtherFormsOfTheBracket, GiveItsGoldenProgram) {
     SCOPED_TRACE(file);
     const Case c{{file, kBracket.folder, kBracket.tool, kBracket.stepdown}, "linuxcnc"};
     if (is_solid(c.example) && !read::solids_can_be_read()) continue;
-    const pipeline::PlanResult result =
+    const PlanResult result =
         pipeline::plan_part(read::read_part(file_of(c.example), {}), options_of(c, false));
     EXPECT_TRUE(result.findings.all.clean);
     const std::string wanted =
@@ -225,7 +225,7 @@ TEST(ChangedExamples, ChamferMillsThatStandOrHaveAnotherLength) {
 /// The grid's own reduction leaves corners uncut; all else is as for any other program.
 Toolpath checked_elements(const std::string& dialect, bool inch) {
   const Case c{kFivePockets, dialect};
-  const pipeline::ElementsResult result =
+  const ElementsResult result =
       pipeline::plan_elements(read::read_elements(file_of(kFivePockets)), options_of(c, inch));
   EXPECT_EQ(difference_from_golden(c, inch, result.plan.program), "");
   for (const Fault& fault : result.plan.findings.faults)

@@ -104,7 +104,7 @@ void check(const Case& c, const std::string& dialect, bool inch) {
   ASSERT_TRUE(fs::exists(file));
   const std::string wanted = read_file(file.string());
   EXPECT_EQ(first_difference(text, wanted), "");
-  const read::gcode::Program program = test_support::read_posted(wanted, dialect, input);
+  const Program program = test_support::read_posted(wanted, dialect, input);
   EXPECT_TRUE(program.ended);
   expect_same(input, program.toolpath, 2 * post::rounding_of(options) + options.tol.chord);
   if (dialect == "grbl") {

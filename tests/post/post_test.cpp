@@ -184,7 +184,7 @@ TEST(Post, LinesOnlyWhenAskedFor) {
     PostOptions options = options_for(dialect, false);
     options.arcs = false;
     options.tol.chord = 0.001;
-    const read::gcode::Program program =
+    const Program program =
         test_support::read_posted(post::write_program(toolpath, Part{}, options), dialect, toolpath);
     for (const Section& section : program.toolpath.sections) {
       for (const Move& move : section.moves) EXPECT_FALSE(move.path.is_arc()) << dialect;

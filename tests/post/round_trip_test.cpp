@@ -34,7 +34,7 @@ TEST_P(RoundTrip, RandomToolpathsComeBack) {
     const bool inch = seed % 2 == 0;
     const Toolpath toolpath = RandomPath(seed).toolpath(1 + static_cast<int>(seed % 7), 30);
     const std::string text = post::write_program(toolpath, Part{}, options_for(GetParam(), inch));
-    const read::gcode::Program program = test_support::read_posted(text, GetParam(), toolpath);
+    const Program program = test_support::read_posted(text, GetParam(), toolpath);
     EXPECT_TRUE(program.ended);
     expect_joined(program.toolpath);
     const double rounding = post::rounding_of(options_for(GetParam(), inch));

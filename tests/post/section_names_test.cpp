@@ -16,13 +16,13 @@ namespace {
 using ::testing::Contains;
 
 /// Pockets far apart, of which the first is not the nearest to where the work begins; two mills on each.
-PlanResult planned(const resolve::PlanOptions& options) {
+PlanResult planned(const PlanOptions& options) {
   return plan_part(drawn(box("POCKET_D4", 0, 0, 40, 30) + box("POCKET_D5", 300, 0, 340, 30) +
                          box("POCKET_D6", 60, 0, 100, 30) + circle("DRILL_D4", {200, 15}, 2.5)),
                    options);
 }
 
-resolve::PlanOptions two_mills() {
+PlanOptions two_mills() {
   auto options = with({"endmill:6", "endmill:3", "drill:5"});
   options.shop.rest = true;
   return options;

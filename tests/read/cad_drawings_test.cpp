@@ -88,7 +88,7 @@ void expect_same(const std::vector<Work>& read, const std::vector<Work>& meant, 
 
 /// Read as a user of the command does who says the depth, and what the outermost outline is when asked.
 Part read_and_answer(const CadDrawing& drawing, bool& asked) {
-  read::ReadOptions options;
+  ReadOptions options;
   options.depth = 3;
   options.ask_if_unclear = true;
   try {

@@ -110,9 +110,9 @@ class ContourWriter {
   double heading_ = 0;
 };
 
-read::gcode::Program read_as_linuxcnc(const std::string& text) {
+Program read_as_linuxcnc(const std::string& text) {
   read::gcode::ReadControllerOptions options;
-  options.dialect = read::gcode::Dialect::kLinuxCnc;
+  options.dialect = Dialect::kLinuxCnc;
   options.places = MachinePlaces{};
   options.compensation.only_radius = kRadiusInTable;
   return read::gcode::read_gcode(text, "contour.ngc", options);
@@ -135,7 +135,7 @@ TEST(CompensationBesideLinuxCnc, RandomContoursMoveAlikeAndStopAlike) {
     const std::string text = ContourWriter(static_cast<std::uint64_t>(seed)).program();
     const test_support::CanonProgram canon = test_support::run_rs274(text, kDiameterInTable);
     try {
-      const read::gcode::Program program = read_as_linuxcnc(text);
+      const Program program = read_as_linuxcnc(text);
       EXPECT_TRUE(canon.accepted) << canon.message << text;
       EXPECT_EQ(difference(canon.canon, program.toolpath), "") << text;
       ++taken;

@@ -41,17 +41,17 @@ std::vector<Drawing> drawings() {
 }
 
 /// The program without its header, whose first lines name the part's file and format.
-std::string program_of(const Part& part, const resolve::PlanOptions& options) {
+std::string program_of(const Part& part, const PlanOptions& options) {
   const std::string program = pipeline::plan_part(part, options).program;
   return program.substr(program.find("G21"));
 }
 
 TEST(Convert, ADrawingAsStepNcHasTheSameProgram) {
   for (const Drawing& drawing : drawings()) {
-    read::ReadOptions reading;
+    ReadOptions reading;
     reading.depth_if_missing = 2;
     const Part drawn = read::read_part_text(drawing.text, drawing.file, reading);
-    resolve::PlanOptions options;
+    PlanOptions options;
     options.tools = {resolve::parse_tool(drawing.tool)};
     const std::string wanted = program_of(drawn, options);
     const Part stepnc =
@@ -134,10 +134,10 @@ TEST(Convert, EveryKindOfFeatureComesBackFromOutlineJson) {
 
 TEST(Convert, ADrawingWithProfilesAsOutlineJsonHasTheSameProgram) {
   const Drawing drawn = drawing(fs::path(CLEARCUT_SOURCE_DIR) / "examples/bracket.dxf", "endmill:3");
-  read::ReadOptions reading;
+  ReadOptions reading;
   reading.depth_if_missing = 2;
   const Part part = read::read_part_text(drawn.text, drawn.file, reading);
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.tools = {resolve::parse_tool(drawn.tool)};
   const Part again = read::read_part_text(post::write_outline_json(part), "again.json", {});
   EXPECT_EQ(test_support::first_difference(program_of(again, options), program_of(part, options)), "");

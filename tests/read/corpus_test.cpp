@@ -27,7 +27,7 @@ using test_support::depth_2;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-std::string refusal(const std::string& path, const read::ReadOptions& options = depth_2()) {
+std::string refusal(const std::string& path, const ReadOptions& options = depth_2()) {
   try {
     read::read_part(path, options);
   } catch (const InputError& error) {

@@ -17,7 +17,7 @@ constexpr std::uint64_t kProgramsPerShard = 250;
 /// mm; the interpreter prints four decimals in program units, and places add up to four of its numbers.
 constexpr double kPrintedMm = 4e-4, kPrintedInch = 8e-3;
 
-read::gcode::Program read_as(read::gcode::Dialect dialect, const std::string& text, bool at_zero) {
+Program read_as(Dialect dialect, const std::string& text, bool at_zero) {
   read::gcode::ReadControllerOptions options;
   options.dialect = dialect;
   if (at_zero) options.places = read::gcode::MachinePlaces{};
@@ -35,7 +35,7 @@ TEST_P(BesideLinuxCnc, EveryRandomProgramMovesAlike) {
     const test_support::CanonProgram canon = test_support::run_rs274(text);
     ASSERT_TRUE(canon.accepted) << canon.message << text;
     const double tolerance = text.find("G20") == std::string::npos ? kPrintedMm : kPrintedInch;
-    const read::gcode::Program program = read_as(read::gcode::Dialect::kLinuxCnc, text, true);
+    const Program program = read_as(Dialect::kLinuxCnc, text, true);
     ASSERT_EQ(test_support::difference_of_motion(canon.canon, program.toolpath, tolerance), "") << text;
   }
 }
@@ -47,8 +47,8 @@ TEST(BesideLinuxCnc, AWrongMoveIsSeen) {
   const std::string text = "N1 G21 G90 G0 X1 Y2 Z3\nN2 G1 X5 F100\nN3 G2 X9 I2 J0\nN4 M2\n";
   const std::string canon = test_support::run_rs274(text).canon;
   const auto difference = [&](const std::string& other) {
-    return test_support::difference_of_motion(
-        canon, read_as(read::gcode::Dialect::kLinuxCnc, other, true).toolpath, kPrintedMm);
+    return test_support::difference_of_motion(canon, read_as(Dialect::kLinuxCnc, other, true).toolpath,
+                                              kPrintedMm);
   };
   EXPECT_EQ(difference(text), "");
   EXPECT_NE(difference("N1 G21 G90 G0 X1 Y2 Z3\nN2 G1 X5.01 F100\nN3 G2 X9.01 I2 J0\nN4 M2\n"), "");
@@ -107,7 +107,7 @@ TEST(BesideGrbl, WhatItTakesIsReadAndWhatItHasNoWordForIsRefused) {
       unsupported = unsupported || fault.error == 20;
     }
     try {
-      read_as(read::gcode::Dialect::kGrbl, text, false);
+      read_as(Dialect::kGrbl, text, false);
       EXPECT_FALSE(unsupported) << text;
       ++read;
     } catch (const InputError& error) {

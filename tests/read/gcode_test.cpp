@@ -29,7 +29,7 @@ std::vector<fs::path> corpus(const std::string& folder) {
   return files;
 }
 
-read::gcode::Program load(const fs::path& file) {
+Program load(const fs::path& file) {
   return read::gcode::read_gcode(read_file(file.string()), file.filename().string());
 }
 
@@ -64,7 +64,7 @@ TEST(GcodeCorpus, GoodProgramsLoad) {
   ASSERT_GT(files.size(), 15U);
   for (const fs::path& file : files) {
     SCOPED_TRACE(file.filename());
-    const read::gcode::Program program = load(file);
+    const Program program = load(file);
     expect_sound(program.toolpath);
   }
 }
@@ -107,8 +107,7 @@ TEST(GcodeCorpus, OtherDialectsMeanWhatTheySay) {
   };
   for (const Row& row : rows) {
     SCOPED_TRACE(row.file);
-    const read::gcode::Program program =
-        load(fs::path(CLEARCUT_SOURCE_DIR) / "tests/corpus/gcode/other" / row.file);
+    const Program program = load(fs::path(CLEARCUT_SOURCE_DIR) / "tests/corpus/gcode/other" / row.file);
     EXPECT_EQ(program.ended, row.ended);
     ASSERT_EQ(program.toolpath.sections.size(), row.sections);
     double cut = 0;

@@ -22,9 +22,9 @@ int programs_asked() {
   return asked ? std::atoi(asked) : 50;
 }
 
-read::gcode::Program read_as_linuxcnc(const std::string& text) {
+Program read_as_linuxcnc(const std::string& text) {
   read::gcode::ReadControllerOptions options;
-  options.dialect = read::gcode::Dialect::kLinuxCnc;
+  options.dialect = Dialect::kLinuxCnc;
   options.places = MachinePlaces{};
   return read::gcode::read_gcode(text, "random.ngc", options);
 }
@@ -84,7 +84,7 @@ TEST(MacrosBesideLinuxCnc, RandomProgramsMoveAlike) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const std::string text = test_support::random_macro_program(static_cast<std::uint64_t>(seed));
     try {
-      const read::gcode::Program program = read_as_linuxcnc(text);
+      const Program program = read_as_linuxcnc(text);
       const test_support::CanonProgram canon = test_support::run_rs274(text);
       ASSERT_TRUE(canon.accepted) << canon.message << text;
       ASSERT_EQ(difference(canon, program.toolpath), "") << text;

@@ -688,7 +688,7 @@ void expect_meant(const std::vector<Volume>& volumes, const std::string& program
   }
 }
 
-pipeline::PlanResult planned(const Part& part) {
+PlanResult planned(const Part& part) {
   PlanOptions options;
   options.accept = {"out-of-reach"};
   options.post.dialect = "grbl";  // without cycles
@@ -707,7 +707,7 @@ TEST(RandomStepNc, PlansAreTheSolidsThatTheirFilesMean) {
     Generator generator(static_cast<unsigned>(seed));
     const std::string text = generator.text();
     SetupPlace place;
-    const pipeline::PlanResult plan = planned(read::stepnc::read_setup(text, "random.p21", {}, 1, place));
+    const PlanResult plan = planned(read::stepnc::read_setup(text, "random.p21", {}, 1, place));
     clean += verdict_of(plan.findings) == Verdict::kClean;
     EXPECT_EQ(verdict_and_reasons(plan.findings), "CLEAN\n") << "seed " << seed;
     expect_meant(generator.volumes, plan.program, static_cast<unsigned>(seed));

@@ -289,7 +289,7 @@ TEST(Examples, TheJobOfTheBracketIsReadWhole) {
   EXPECT_DOUBLE_EQ(part.workplan[0].operation.allowance_side, 0.2);
   ASSERT_TRUE(part.stock);
   EXPECT_DOUBLE_EQ(part.stock->plan.width(), 90);
-  const read::JobFile job = read::read_job(examples / "bracket.toml");
+  const JobFile job = read::read_job(examples / "bracket.toml");
   EXPECT_EQ(job.machine.name, "desktop mill");
 }
 

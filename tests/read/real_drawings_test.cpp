@@ -24,9 +24,9 @@ bool is_refused(const Part& part, const std::string& feature) {
 /// Every pocket is clean, or refused by name.
 void expect_clean_or_refused(const std::string& text, const std::string& file, double diameter) {
   SCOPED_TRACE(file + " with " + std::to_string(diameter));
-  read::ReadOptions read;
+  ReadOptions read;
   read.depth = 2;
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.tools = {resolve::parse_tool("endmill:" + std::to_string(diameter))};
   const auto result = pipeline::plan_part(read::read_part_text(text, file, read), options);
   EXPECT_GT(result.findings.all.feed_mm, 0);
@@ -67,7 +67,7 @@ TEST(RealParts, EverySampleOfStepNcIsCleanWithCuttersThatFit) {
   const std::string folder = data->string() + "/stepnc/";
   for (const char* name : {"unb_final_test.p21", "ufsc_hole_slot_step_pocket.p21", "ufsc_slot_rounded_u.p21",
                            "iso14649_11_ex1.stp", "iso14649_11_ex1_nist.stp"}) {
-    resolve::PlanOptions options;
+    PlanOptions options;
     // It asks for a ball end mill on a flat floor.
     if (std::string(name) == "unb_final_test.p21")
       options.tools = {resolve::parse_tool("endmill:4"), resolve::parse_tool("endmill:6")};

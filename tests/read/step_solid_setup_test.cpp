@@ -24,44 +24,44 @@ using test_support::rounded_area;
 using test_support::with_tool;
 using ::testing::HasSubstr;
 
-read::SolidOptions turned_up(const std::string& side) {
-  read::SolidOptions solid;
+SolidOptions turned_up(const std::string& side) {
+  SolidOptions solid;
   solid.up = side;
   return solid;
 }
 
-read::SolidOptions turned(double degrees) {
-  read::SolidOptions solid;
+SolidOptions turned(double degrees) {
+  SolidOptions solid;
   solid.turn_deg = degrees;
   return solid;
 }
 
-read::SolidOptions only_body(const std::string& body) {
-  read::SolidOptions solid;
+SolidOptions only_body(const std::string& body) {
+  SolidOptions solid;
   solid.body = body;
   return solid;
 }
 
-read::SolidOptions through_by(double breakthrough) {
-  read::SolidOptions solid;
+SolidOptions through_by(double breakthrough) {
+  SolidOptions solid;
   solid.breakthrough = breakthrough;
   return solid;
 }
 
-read::SolidOptions with_drills(const std::vector<double>& diameters) {
-  read::SolidOptions solid;
+SolidOptions with_drills(const std::vector<double>& diameters) {
+  SolidOptions solid;
   solid.drills = diameters;
   return solid;
 }
 
-read::SolidOptions in_stock(const read::StockRequest& stock) {
-  read::SolidOptions solid;
+SolidOptions in_stock(const StockRequest& stock) {
+  SolidOptions solid;
   solid.stock = stock;
   return solid;
 }
 
-Part read_solid(const std::string& name, const read::SolidOptions& solid) {
-  read::ReadOptions options;
+Part read_solid(const std::string& name, const SolidOptions& solid) {
+  ReadOptions options;
   options.solid = solid;
   return read::read_part(example(name), options);
 }
@@ -136,7 +136,7 @@ TEST(StepSolid, AnyFlatFaceCanBeTurnedUp) {
   SKIP_WITHOUT_OPEN_CASCADE();
   int pockets = 0;
   for (int face = 1; face <= 11; ++face) {
-    const read::SolidOptions solid = turned_up("face" + std::to_string(face));
+    const SolidOptions solid = turned_up("face" + std::to_string(face));
     if (!refused("sideways.step", solid).empty()) continue;
     for (const Feature& feature : read_solid("sideways.step", solid).features)
       pockets += std::abs(area(feature.target) - 280) < 1e-6 ? 1 : 0;
@@ -198,7 +198,7 @@ TEST(StepSolid, OneBodyOfAnAssemblyIsChosenByNameOrNumber) {
 
 TEST(StepSolid, WhatGoesThroughGoesBelowTheSolid) {
   SKIP_WITHOUT_OPEN_CASCADE();
-  const auto floor_with = [](const read::SolidOptions& solid) {
+  const auto floor_with = [](const SolidOptions& solid) {
     return read_solid("nested.step", solid).features.back().floor_z;
   };
   EXPECT_NEAR(floor_with({}), -20.5, 1e-9);
@@ -211,7 +211,7 @@ TEST(StepSolid, WhatGoesThroughGoesBelowTheSolid) {
 
 TEST(StepSolid, AMarginAroundTheSolidIsMilledAway) {
   SKIP_WITHOUT_OPEN_CASCADE();
-  const read::StockRequest stock{{}, {}, 6, {-6, 1}};
+  const StockRequest stock{{}, {}, 6, {-6, 1}};
   const Part part = read_solid("disc.step", in_stock(stock));
   ASSERT_TRUE(part.stock);
   EXPECT_NEAR(part.stock->plan.min.x, -36, 1e-6);
@@ -240,7 +240,7 @@ TEST(StepSolid, TheMarginOfAJobIsMilledAway) {
   EXPECT_NEAR(part.stock->plan.max.x, 36, 1e-6);
   EXPECT_NEAR(area(part.features.back().target) + area(part.features.front().target),
               72 * 72 - circle_area(30) + circle_area(3), 1e-3);
-  const pipeline::PlanResult result = pipeline::plan_part(part, with_tool(4));
+  const PlanResult result = pipeline::plan_part(part, with_tool(4));
   EXPECT_TRUE(result.findings.all.clean);
 }
 

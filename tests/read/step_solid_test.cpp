@@ -158,7 +158,7 @@ TEST(StepSolid, WhatIsLeftOutIsAnOpenCondition) {
   EXPECT_THAT(doubts, HasSubstr("under an overhang"));
   EXPECT_THAT(doubts, HasSubstr("another set-up"));
   EXPECT_THAT(doubts, HasSubstr("the cone at the end of round_hole_2 is not cut"));
-  const pipeline::PlanResult result = pipeline::plan_part(part, with_tool(5));
+  const PlanResult result = pipeline::plan_part(part, with_tool(5));
   const std::vector<Condition>& conditions = result.findings.conditions;
   EXPECT_TRUE(std::any_of(conditions.begin(), conditions.end(),
                           [](const Condition& one) { return one.name == "left-out" && one.met_by.empty(); }));
@@ -184,7 +184,7 @@ TEST(StepSolid, WhatIsLeftOutIsHatchedInThePicture) {
 /// Another set-up of the job makes what looks another way; what no set-up makes stays a condition.
 TEST(StepSolid, OtherSetUpsMakeWhatLooksAnotherWay) {
   SKIP_WITHOUT_OPEN_CASCADE();
-  read::ReadOptions options;
+  ReadOptions options;
   options.solid.has_other_setups = true;
   const Part part = read::read_part(example("awkward.step"), options);
   std::string doubts;
@@ -197,7 +197,7 @@ TEST(StepSolid, OtherSetUpsMakeWhatLooksAnotherWay) {
 
 /// What is said of the ends of holes of the awkward solid with one drill at hand, "" for nothing.
 std::string ends_with(double diameter, std::optional<double> degrees, Part& part) {
-  read::ReadOptions options;
+  ReadOptions options;
   Tool drill;
   drill.kind = ToolKind::kDrill;
   drill.diameter = diameter;
@@ -242,7 +242,7 @@ TEST(StepSolid, AHoleWithAConeIsDrilledByThePointDeeper) {
   SKIP_WITHOUT_OPEN_CASCADE();
   Part part;
   ends_with(6, std::nullopt, part);
-  const pipeline::PlanResult result =
+  const PlanResult result =
       pipeline::plan_part(part, test_support::plan_options_with({"endmill:5", "drill:6"}));
   EXPECT_LE(result.findings.all.gouge_mm, 0.001);
   EXPECT_NE(result.program.find("Z-13.802"), std::string::npos) << result.program.substr(0, 3000);
@@ -271,8 +271,7 @@ TEST(StepSolid, TheRestOfAnAwkwardSolidIsFoundAllTheSame) {
 
 /// Plans the whole solid and expects a clean certificate of every feature whose walls close.
 void expect_clean_pockets(const std::string& name, double tool, std::size_t closed) {
-  const pipeline::PlanResult result =
-      pipeline::plan_part(read::read_part(example(name), {}), with_tool(tool));
+  const PlanResult result = pipeline::plan_part(read::read_part(example(name), {}), with_tool(tool));
   ASSERT_EQ(result.findings.features.size(), result.part.features.size()) << name;
   std::size_t checked = 0;
   for (std::size_t i = 0; i < result.part.features.size(); ++i) {

@@ -403,12 +403,12 @@ std::vector<Part> parts_of(const std::vector<Entity>& entities) {
 /// Everything that a person sees of the plan but annotations; or why it is refused.
 std::string seen_by(const std::vector<Entity>& entities, const std::optional<std::string>& strategy) {
   try {
-    resolve::PlanOptions options;
+    PlanOptions options;
     options.threads = 1;
     options.strategy = strategy;
     std::string all;
     for (const Part& part : parts_of(entities)) {
-      const pipeline::PlanResult result = pipeline::plan_part(part, options);
+      const PlanResult result = pipeline::plan_part(part, options);
       all += result.program + verdict_and_reasons(result.findings);
       for (const ResolvedValue& value : result.values) all += "\n" + value.name + " " + value.value;
       for (const Diagnostic& one : result.part.diagnostics.items())

@@ -46,7 +46,7 @@ TEST(SteppedSolids, FloorsThinnerThanTolerancesAreNoFaults) {
       ASSERT_EQ(part.features.size(), depth > kThin ? 2U : 1U) << depth << " " << below;
       for (const double diameter : {2.0, 4.0}) {
         SCOPED_TRACE(std::to_string(depth) + " " + std::to_string(below) + " " + std::to_string(diameter));
-        const pipeline::PlanResult result = pipeline::plan_part(part, with_tool(diameter));
+        const PlanResult result = pipeline::plan_part(part, with_tool(diameter));
         EXPECT_NE(verdict_of(result.findings), Verdict::kFaulty);
       }
     }
@@ -82,13 +82,13 @@ TEST(SteppedSolids, BrokenEdgesAloneAreMilledByACone) {
   const std::string block = test_support::broken_block_text(40, 30, 10, 1);
   EXPECT_THAT(refusal(block),
               HasSubstr("a cone of 90 degrees, long and wide enough, breaks the edges of faces"));
-  read::ReadOptions options;
-  const resolve::PlanOptions cone = test_support::plan_options_with({"chamfer:6:90deg"});
+  ReadOptions options;
+  const PlanOptions cone = test_support::plan_options_with({"chamfer:6:90deg"});
   options.solid.tools = cone.tools;
   const Part part = read::read_part_text(block, "block.step", options);
   ASSERT_EQ(part.features.size(), 1U);
   EXPECT_EQ(part.features[0].kind, FeatureKind::kChamfer);
-  const pipeline::PlanResult result = pipeline::plan_part(part, cone);
+  const PlanResult result = pipeline::plan_part(part, cone);
   EXPECT_EQ(verdict_of(result.findings), Verdict::kClean);
 }
 
@@ -140,7 +140,7 @@ TEST(SteppedSolids, ThatLieAskewAreRefusedWithTheirFlattestSide) {
     EXPECT_THAT(message, HasSubstr("the solid lies askew")) << degrees;
     EXPECT_THAT(message, HasSubstr("turn the solid with --up face")) << degrees;
   }
-  read::ReadOptions options;
+  ReadOptions options;
   const std::string askew = turned(text, 1, 37);
   const std::string message = refusal(askew);
   const std::size_t at = message.find("--up face") + 5;
@@ -180,7 +180,7 @@ TEST(SteppedSolids, SidesThatAreProposedForASheetAreMilled) {
     for (const double degrees : {0.0, 30.0}) {
       const std::string text = turned(sheet, 0, degrees);
       for (const std::string& side : proposed(refusal(text))) {
-        read::ReadOptions options;
+        ReadOptions options;
         options.solid.up = side;
         EXPECT_NO_THROW(read::read_part_text(text, "sheet.step", options)) << side << " " << degrees;
       }

@@ -32,14 +32,14 @@ Part pocket() {
   return test_support::part_of(target, target, FeatureKind::kClosedPocket, 8);
 }
 
-resolve::PlanOptions options_with_rings() {
-  resolve::PlanOptions options;
+PlanOptions options_with_rings() {
+  PlanOptions options;
   options.strategies = &with_rings();
   return options;
 }
 
 TEST(NewStrategy, IsPlannedByNameAndCertifiedClean) {
-  resolve::PlanOptions options = options_with_rings();
+  PlanOptions options = options_with_rings();
   options.strategy = "rings";
   const auto result = pipeline::plan_part(pocket(), options);
   test_support::expect_clean(result, "rings");
@@ -64,7 +64,7 @@ TEST(NewStrategy, IsTriedByAuto) {
 }
 
 TEST(NewStrategy, IsUnknownWithoutItsRow) {
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.strategy = "rings";
   try {
     pipeline::plan_part(pocket(), options);

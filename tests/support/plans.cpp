@@ -4,17 +4,17 @@
 
 namespace clearcut::test_support {
 
-resolve::PlanOptions plan_options_with(const std::vector<std::string>& tools) {
-  resolve::PlanOptions options;
+PlanOptions plan_options_with(const std::vector<std::string>& tools) {
+  PlanOptions options;
   for (const auto& tool : tools) options.tools.push_back(resolve::parse_tool(tool));
   return options;
 }
 
-resolve::PlanOptions with_tool(double diameter) {
+PlanOptions with_tool(double diameter) {
   return plan_options_with({"endmill:" + std::to_string(diameter)});
 }
 
-void expect_clean(const pipeline::PlanResult& result, const std::string& what) {
+void expect_clean(const PlanResult& result, const std::string& what) {
   EXPECT_TRUE(result.findings.all.clean) << what;
   EXPECT_LE(result.findings.all.uncut_thickness_mm, 0.01) << what;
   EXPECT_LE(result.findings.all.gouge_mm, 0.001) << what;

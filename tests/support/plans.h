@@ -9,12 +9,12 @@
 namespace clearcut::test_support {
 
 /// Options with these tools, each written as on the command line.
-resolve::PlanOptions plan_options_with(const std::vector<std::string>& tools);
+PlanOptions plan_options_with(const std::vector<std::string>& tools);
 
 /// Options with one end mill; diameter in mm.
-resolve::PlanOptions with_tool(double diameter);
+PlanOptions with_tool(double diameter);
 
 /// Clean by its own certificate, in every figure that makes it so, and not for want of a cut.
-void expect_clean(const pipeline::PlanResult& result, const std::string& what);
+void expect_clean(const PlanResult& result, const std::string& what);
 
 }  // namespace clearcut::test_support

@@ -54,8 +54,7 @@ std::string first_difference(const std::string& a, const std::string& b) {
   }
 }
 
-read::gcode::Program read_posted(const std::string& text, const std::string& dialect,
-                                 const Toolpath& planned) {
+Program read_posted(const std::string& text, const std::string& dialect, const Toolpath& planned) {
   read::gcode::ReadControllerOptions options;
   options.dialect = read::gcode::dialect_named(dialect);
   for (const Section& section : planned.sections) {

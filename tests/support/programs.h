@@ -20,7 +20,6 @@ std::string first_difference(const std::string& a, const std::string& b);
 
 /// Reads a program back as the control it was posted for; the tools of `planned` are put in by hand where it has no words
 /// for them.
-read::gcode::Program read_posted(const std::string& text, const std::string& dialect,
-                                 const Toolpath& planned);
+Program read_posted(const std::string& text, const std::string& dialect, const Toolpath& planned);
 
 }  // namespace clearcut::test_support

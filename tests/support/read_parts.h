@@ -6,8 +6,8 @@
 
 namespace clearcut::test_support {
 
-inline read::ReadOptions depth_2() {
-  read::ReadOptions options;
+inline ReadOptions depth_2() {
+  ReadOptions options;
   options.depth = 2;
   return options;
 }

@@ -32,7 +32,7 @@ void add_rings(const Region& region, int parent, int component, double step, con
 
 LayerPasses plan_rings(const Layer& layer, const Tolerances& tol) {
   if (!plan::closed_all_round(layer)) throw InputError("rings", "fills closed pockets alone");
-  plan::ClearingArea area = plan::clearing_area(layer, tol);  // passes along the walls, and what they leave
+  ClearingArea area = plan::clearing_area(layer, tol);  // passes along the walls, and what they leave
   LayerPasses result = std::move(area.walls);
   result.strategy = "rings";
   for (std::size_t i = 0; i < area.components.size(); ++i) {

@@ -38,8 +38,8 @@ inline std::string refusal(const std::string& text) {
 }
 
 /// The message of a refusal, one line; "" where the file is read.
-inline std::string refused(const std::string& name, const read::SolidOptions& solid) {
-  read::ReadOptions options;
+inline std::string refused(const std::string& name, const SolidOptions& solid) {
+  ReadOptions options;
   options.solid = solid;
   try {
     read::read_part(example(name), options);

@@ -187,11 +187,11 @@ Bench random_bench(std::uint64_t seed) {
   return out;
 }
 
-pipeline::PlanResult planned(const Bench& bench, bool clamped) {
+PlanResult planned(const Bench& bench, bool clamped) {
   const std::string part =
       R"({"name": "clamped", "units": "mm", "stock": {"x": [0, 90], "y": [0, 60], "z": [-20, 0]}, "pockets": [)" +
       bench.pockets + "]}";
-  resolve::PlanOptions options = plan_options_with({bench.tool()});
+  PlanOptions options = plan_options_with({bench.tool()});
   options.strategy = bench.strategy;
   if (clamped)
     for (const Clamp& clamp : bench.clamps)
@@ -205,7 +205,7 @@ TEST(ClampedSetups, AreNotCrossed) {
   std::vector<double> shares;
   for (std::uint64_t seed = static_cast<std::uint64_t>(first_seed()); checked < count; ++seed) {
     const Bench bench = random_bench(seed);
-    pipeline::PlanResult result;
+    PlanResult result;
     try {
       result = planned(bench, true);
     } catch (const InputError& error) {

@@ -42,7 +42,7 @@ std::string plate() {
          circle("INSIDE_D6", {72, 42}, 4);
 }
 
-resolve::PlanOptions asked(int tabs = 0) {
+PlanOptions asked(int tabs = 0) {
   auto options = with({"endmill:4"});
   options.strategy = "contour";
   options.tabs.count = tabs;
@@ -69,7 +69,7 @@ TEST(LooseParts, WhatIsHeldMayBeCut) {
   tabs.tabs.shape = TabShape::kTriangular;
   skin.tabs.skin = 0.4;
   const std::string last[] = {"PROFILE_D6_TABS", "PROFILE_D6"};
-  const resolve::PlanOptions held[] = {tabs, skin};
+  const PlanOptions held[] = {tabs, skin};
   for (std::size_t i = 0; i < 2; ++i) {
     const std::string program = plan_part(part, held[i]).program;
     const auto found = check_program(part, with_first(program, last[i]), "early.ngc", held[i]).findings;

@@ -151,12 +151,12 @@ std::string surely_wrong(const Region& outline, const Toolpath& toolpath) {
   return "";
 }
 
-void check(const Region& outline, const pipeline::PlanResult& plan, const std::string& text, Tally& tally) {
-  resolve::PlanOptions options;
+void check(const Region& outline, const PlanResult& plan, const std::string& text, Tally& tally) {
+  PlanOptions options;
   options.tools = plan.part.tools;
   options.accept = {"out-of-reach"};
-  const auto dialect = read::gcode::Dialect::kLinuxCnc;
-  pipeline::CheckResult result;
+  const auto dialect = Dialect::kLinuxCnc;
+  CheckResult result;
   try {
     result = pipeline::check_program(plan.part, text, "mutated", options, dialect);
   } catch (const InputError&) {
@@ -185,11 +185,11 @@ TEST(MutatedPrograms, AreFaultyWhereARasterSaysSo) {
   Tally tally;
   for (const Region& region : regions) {
     for (const std::string& strategy : strategies) {
-      resolve::PlanOptions options;
+      PlanOptions options;
       options.tools = {resolve::parse_tool("endmill:4")};
       options.strategy = strategy;
       options.accept = {"out-of-reach"};  // the outlines' sharp corners
-      const pipeline::PlanResult plan = pipeline::plan_part(part_of(region), options);
+      const PlanResult plan = pipeline::plan_part(part_of(region), options);
       ASSERT_EQ(verdict_and_reasons(plan.findings), "CLEAN\n") << strategy;
       ASSERT_EQ(surely_wrong(region, plan.toolpath), "") << strategy;
       const Lines lines = lines_of(plan.program);

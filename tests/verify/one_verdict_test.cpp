@@ -53,8 +53,8 @@ std::string random_pockets(Random& random) {
   return text + "]}";
 }
 
-resolve::PlanOptions random_options(Random& random) {
-  resolve::PlanOptions options;
+PlanOptions random_options(Random& random) {
+  PlanOptions options;
   const char* const wide[] = {"endmill:6", "endmill:4", "endmill:8"};
   options.tools.push_back(resolve::parse_tool(wide[random.below(3)]));
   if (random.below(2) == 0) {
@@ -83,17 +83,16 @@ TEST(OneVerdict, OfPlanAndVerify) {
   const int count = set ? std::atoi(set) : 40;
   for (int i = 0; i < count; ++i) {
     const std::string text = random_pockets(random);
-    const resolve::PlanOptions options = random_options(random);
+    const PlanOptions options = random_options(random);
     const Part part = read::read_part_text(text, "part.json", {});
-    pipeline::PlanResult plan;
+    PlanResult plan;
     try {
       plan = pipeline::plan_part(part, options);
     } catch (const InputError&) {
       continue;  // the control, or the part, has no use for an option
     }
     const auto dialect = read::gcode::dialect_named(options.post.dialect);
-    const pipeline::CheckResult check =
-        pipeline::check_program(part, plan.program, "program", options, dialect);
+    const CheckResult check = pipeline::check_program(part, plan.program, "program", options, dialect);
     EXPECT_EQ(told(plan.findings), told(check.findings)) << options.post.dialect << "\n" << text;
     ++compared;
   }
@@ -106,14 +105,14 @@ TEST(OneVerdict, OfFinishingLeaningWalls) {
       R"({"units": "mm", "pockets": [{"name": "B", "top": 0, "depth": 1.56, "slope_rad": 0.09,
       "outer": [[0, 0], [22, 0], [22, 14.6], [0, 14.6]]}]})";
   const Part part = read::read_part_text(text, "part.json", {});
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.tools = {resolve::parse_tool("bullnose:4:corner=0.5"), resolve::parse_tool("ball:2")};
   options.shop.rest = true;
   options.shop.finish = "walls";
   options.strategy = "zigzag";
-  const pipeline::PlanResult plan = pipeline::plan_part(part, options);
-  const pipeline::CheckResult check =
-      pipeline::check_program(part, plan.program, "program", options, read::gcode::Dialect::kLinuxCnc);
+  const PlanResult plan = pipeline::plan_part(part, options);
+  const CheckResult check =
+      pipeline::check_program(part, plan.program, "program", options, Dialect::kLinuxCnc);
   EXPECT_EQ(told(plan.findings), told(check.findings)) << verdict_and_reasons(check.findings);
 }
 

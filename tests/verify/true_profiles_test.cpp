@@ -239,11 +239,11 @@ TEST(TrueProfiles, RapidsAndPlungesMeetWhatStandsAndNothingElse) {
     Random random(static_cast<std::uint64_t>(seed));
     RandomProgram program(random);
     program.run();
-    resolve::PlanOptions options;
+    PlanOptions options;
     options.tools = program.tools();
     const Stock stock{Box{{0, 0}, {kSide, kSide}}, -30, 0};
-    const auto checked = pipeline::check_program_alone(stock, program.text(), "random", options,
-                                                       read::gcode::Dialect::kLinuxCnc);
+    const auto checked =
+        pipeline::check_program_alone(stock, program.text(), "random", options, Dialect::kLinuxCnc);
     for (const Answer& answer : {Answer{"rapid", FaultKind::kRapidInMaterial, program.rapid},
                                  Answer{"plunge", FaultKind::kPlungeTooFast, program.plunge}}) {
       const bool said = is_said(checked.findings, answer);
@@ -336,8 +336,8 @@ Job random_job(Random& random) {
   return job;
 }
 
-resolve::PlanOptions options_of(const Job& job, Random& random) {
-  resolve::PlanOptions options;
+PlanOptions options_of(const Job& job, Random& random) {
+  PlanOptions options;
   for (const Body& body : job.bodies) options.tools.push_back(resolve::parse_tool(body.tool));
   options.shop.rest = true;
   options.accept = {"out-of-reach"};
@@ -497,22 +497,22 @@ TEST(TrueProfiles, PlansAreCleanAndMutantsFaultyWhereTheFieldSaysSo) {
   for (int seed = first_seed(); seed < first_seed() + profile_count(140); ++seed) {
     Random random(static_cast<std::uint64_t>(seed) + 5000);
     const Job job = random_job(random);
-    const resolve::PlanOptions options = options_of(job, random);
+    const PlanOptions options = options_of(job, random);
     const std::string what = fmt::format("seed {}: {} by {}", seed, text_of(job), *options.strategy);
-    const pipeline::PlanResult plan = pipeline::plan_part(part_of(job.pocket), options);
+    const PlanResult plan = pipeline::plan_part(part_of(job.pocket), options);
     EXPECT_NE(verdict_of(plan.findings), Verdict::kFaulty) << what << "\n"
                                                            << verdict_and_reasons(plan.findings);
     EXPECT_EQ(certainly_wrong(job, plan.toolpath), "") << what << "\n" << plan.program;
     ++plans;
     for (int n = 0; n < 2; ++n) {
       const std::string text = mutant_of(plan.program, random);
-      pipeline::CheckResult checked;
+      CheckResult checked;
       try {
-        resolve::PlanOptions tools;
+        PlanOptions tools;
         tools.tools = options.tools;
         tools.accept = options.accept;
         tools.shop.rest = true;
-        checked = pipeline::check_program(plan.part, text, "mutant", tools, read::gcode::Dialect::kLinuxCnc);
+        checked = pipeline::check_program(plan.part, text, "mutant", tools, Dialect::kLinuxCnc);
       } catch (const InputError&) {
         continue;
       }
@@ -588,25 +588,25 @@ TEST(TrueProfiles, PlansOnLeaningWallsAreCleanAndMutantsFaulty) {
   for (int seed = first_seed(); seed < first_seed() + profile_count(4); ++seed) {
     Random random(static_cast<std::uint64_t>(seed) + 90000);
     const Job job = leaning_job(random);
-    resolve::PlanOptions options = options_of(job, random);
+    PlanOptions options = options_of(job, random);
     options.shop.rest = false;
     const double scallop = random.below(2) == 0 ? 0.2 : rounded(random.between(0.05, 0.4), 0.01);
     options.scallop = scallop;
     const std::string what = fmt::format("seed {}: {} leaning {} scallop {} by {}", seed, text_of(job),
                                          job.pocket.lean, scallop, *options.strategy);
-    const pipeline::PlanResult plan = pipeline::plan_part(part_of(job.pocket), options);
+    const PlanResult plan = pipeline::plan_part(part_of(job.pocket), options);
     EXPECT_NE(verdict_of(plan.findings), Verdict::kFaulty) << what << "\n"
                                                            << verdict_and_reasons(plan.findings);
     EXPECT_EQ(wrong_on_leaning_walls(job, plan.toolpath, scallop), "") << what << "\n" << plan.program;
     for (int n = 0; n < 3; ++n) {
       const std::string text = mutant_of(plan.program, random);
-      pipeline::CheckResult checked;
+      CheckResult checked;
       try {
-        resolve::PlanOptions tools;
+        PlanOptions tools;
         tools.tools = options.tools;
         tools.accept = options.accept;
         tools.scallop = scallop;
-        checked = pipeline::check_program(plan.part, text, "mutant", tools, read::gcode::Dialect::kLinuxCnc);
+        checked = pipeline::check_program(plan.part, text, "mutant", tools, Dialect::kLinuxCnc);
       } catch (const InputError&) {
         continue;
       }

@@ -37,8 +37,8 @@ Part small_part(double depth) {
   return part;
 }
 
-pipeline::PlanResult planned(double depth) {
-  resolve::PlanOptions options;
+PlanResult planned(double depth) {
+  PlanOptions options;
   options.tools = {resolve::parse_tool("endmill:4")};
   options.stepdown = 2;
   options.strategy = "contour";
@@ -59,7 +59,7 @@ std::string joined(const std::vector<std::string>& lines) {
 }
 
 Findings checked(const Part& part, const std::string& text) {
-  return pipeline::check_program(part, text, "x.ngc", {}, read::gcode::Dialect::kLinuxCnc).findings;
+  return pipeline::check_program(part, text, "x.ngc", {}, Dialect::kLinuxCnc).findings;
 }
 
 bool has(const Findings& findings, FaultKind kind) {
@@ -68,7 +68,7 @@ bool has(const Findings& findings, FaultKind kind) {
 }
 
 TEST(VerifyPrograms, TheVerdictNeedsNoCommentNorLabel) {
-  const pipeline::PlanResult result = planned(4);
+  const PlanResult result = planned(4);
   ASSERT_TRUE(result.findings.all.clean);
   const std::string bare = std::regex_replace(result.program, std::regex("\\([^)]*\\)"), "");
   ASSERT_NE(bare, result.program);
@@ -82,7 +82,7 @@ TEST(VerifyPrograms, TheVerdictNeedsNoCommentNorLabel) {
 }
 
 TEST(VerifyPrograms, LabelsThatLieChangeNoVerdict) {
-  const pipeline::PlanResult result = planned(4);
+  const PlanResult result = planned(4);
   Toolpath lying = result.toolpath;
   for (Section& section : lying.sections) {
     section.label = "SOMETHING ELSE";
@@ -93,7 +93,7 @@ TEST(VerifyPrograms, LabelsThatLieChangeNoVerdict) {
 
 /// A section that calls itself the work of another workingstep is held to the stepdown of the place where it cuts.
 TEST(VerifyPrograms, LabelsDoNotChooseTheStepdown) {
-  const pipeline::PlanResult result = planned(4);
+  const PlanResult result = planned(4);
   Part part = result.part;
   Workingstep deep = part.workplan.front();
   deep.name = "DEEP";
@@ -114,7 +114,7 @@ TEST(VerifyPrograms, LabelsDoNotChooseTheStepdown) {
 }
 
 TEST(VerifyPrograms, ALevelLeftOutOfTheTextIsFound) {
-  const pipeline::PlanResult result = planned(4);
+  const PlanResult result = planned(4);
   std::vector<std::string> lines = lines_of(result.program);
   const auto is_level = [](const std::string& line) { return line.find("Z-2") != std::string::npos; };
   const auto from = std::find_if(lines.begin(), lines.end(), is_level);
@@ -225,7 +225,7 @@ std::string spoilt(const std::string& program, Random& random) {
 // 0.02 mm along a move, which hides up to 0.1 um beside a wall; what is left is seen on a grid of 0.1 mm,
 // legal centres too.
 TEST(VerifyPrograms, SpoiltProgramsAreCheckedAsBySampling) {
-  const pipeline::PlanResult result = planned(2);
+  const PlanResult result = planned(2);
   ASSERT_TRUE(result.findings.all.clean);
   const Region& region = result.part.features[0].target[0];
   const SlowJudge slow(region);
@@ -270,7 +270,7 @@ TEST(VerifyPrograms, SpoiltProgramsAreCheckedAsBySampling) {
 }
 
 /// Replaces the first line of a program that matches, and checks what that makes of it.
-Findings with_line(const pipeline::PlanResult& result, const std::string& pattern, const std::string& line) {
+Findings with_line(const PlanResult& result, const std::string& pattern, const std::string& line) {
   auto lines = lines_of(result.program);
   const auto found = std::find_if(lines.begin(), lines.end(), [&](const std::string& text) {
     return std::regex_search(text, std::regex(pattern));
@@ -281,7 +281,7 @@ Findings with_line(const pipeline::PlanResult& result, const std::string& patter
 }
 
 /// A program that cannot be read is not called clean either.
-bool called_clean(const pipeline::PlanResult& result, const std::string& pattern, const std::string& line) {
+bool called_clean(const PlanResult& result, const std::string& pattern, const std::string& line) {
   try {
     return with_line(result, pattern, line).all.clean;
   } catch (const InputError&) {
@@ -290,7 +290,7 @@ bool called_clean(const pipeline::PlanResult& result, const std::string& pattern
 }
 
 TEST(VerifyPrograms, UnitsPlanesAndModesThatAreNotMeant) {
-  const pipeline::PlanResult result = planned(4);
+  const PlanResult result = planned(4);
   ASSERT_TRUE(result.findings.all.clean);
   EXPECT_TRUE(called_clean(result, "^G21", "G21"));
   EXPECT_FALSE(called_clean(result, "^G21", "G20"));  // numbers in mm, read as inches

@@ -40,12 +40,12 @@ std::vector<std::string> texts_of(const read::DataValue& list) {
 }
 
 /// The tools and what is asked of them: a library goes before what the case names.
-resolve::PlanOptions options_of(const read::DataValue& one) {
-  resolve::PlanOptions options;
+PlanOptions options_of(const read::DataValue& one) {
+  PlanOptions options;
   const fs::path parts = folder() / "parts";
   if (const read::DataValue* library = one.find("library")) {
-    const read::ToolLibrary read = read::read_tool_library(parts / library->text, {});
-    for (const read::LibraryTool& entry : read.tools) options.tools.push_back(entry.tool);
+    const ToolLibrary read = read::read_tool_library(parts / library->text, {});
+    for (const LibraryTool& entry : read.tools) options.tools.push_back(entry.tool);
     options.tool_cutting = pipeline::cutting_of_tools(read.tools, "");
   } else {
     for (const std::string& tool : texts_of(*one.find("tools")))
@@ -66,8 +66,7 @@ resolve::PlanOptions options_of(const read::DataValue& one) {
 }
 
 /// Against the part that the case names, or alone.
-pipeline::CheckResult checked(const read::DataValue& one, const fs::path& file,
-                              const resolve::PlanOptions& options) {
+CheckResult checked(const read::DataValue& one, const fs::path& file, const PlanOptions& options) {
   const std::string program = read_file(file.string()), name = file.filename().string();
   const auto dialect = read::gcode::dialect_named(one.find("dialect")->text);
   const std::string part = one.find("part")->text;
@@ -88,10 +87,10 @@ void expect_no_faulty_one_clean(const Findings& findings) {
 }
 
 VerdictFound verdict_on(const read::DataValue& one, const fs::path& place) {
-  resolve::PlanOptions options = options_of(one);
+  PlanOptions options = options_of(one);
   const fs::path file = place / one.find("file")->text;
   options.accept = texts_of(*one.find("accept"));
-  pipeline::CheckResult result;
+  CheckResult result;
   try {
     result = checked(one, file, options);
   } catch (const InputError& error) {

@@ -254,8 +254,8 @@ struct Case {
   std::string program, outline, witness;
 };
 
-pipeline::WitnessQuestion question_of(const Case& one) {
-  pipeline::WitnessQuestion question;
+WitnessQuestion question_of(const Case& one) {
+  WitnessQuestion question;
   question.tools = {{1, one.diameter, 0}};
   question.first_tool = 1;
   const Feature& feature = one.part.features.front();
@@ -273,11 +273,11 @@ std::optional<Case> without_witness(std::uint64_t seed) {
   one.diameter = 0.5 * static_cast<double>(4 + random.below(14));
   one.part = random_part(random, one.diameter);
   if (one.part.features.front().target.size() != 1) return std::nullopt;
-  resolve::PlanOptions options = with_tool(one.diameter);
+  PlanOptions options = with_tool(one.diameter);
   options.strategy = kStrategies[seed % kStrategies.size()];
   options.stepdown = random.below(3) == 0 ? 2.0 : 1.0;  // two layers, with rapids between, in most
   try {
-    const pipeline::PlanResult result = pipeline::plan_part(one.part, options);
+    const PlanResult result = pipeline::plan_part(one.part, options);
     if (result.findings.all.feed_mm == 0) return std::nullopt;
     one.program = result.program;
   } catch (const InputError&) {
@@ -292,11 +292,10 @@ struct Outcome {
   int tiles = 0;
 };
 Outcome prove(Case& one, double uncut, bool engagement) {
-  pipeline::WitnessQuestion question = question_of(one);
+  WitnessQuestion question = question_of(one);
   question.uncut = uncut;
   question.engagement = engagement;
-  const pipeline::FoundWitness found =
-      pipeline::find_witness(one.program, "program", one.outline, "part", question);
+  const FoundWitness found = pipeline::find_witness(one.program, "program", one.outline, "part", question);
   one.witness = found.bytes;
   return {found.bytes.empty() ? found.why_not : found.missing.empty() ? "" : found.missing[0], found.tiles};
 }
@@ -341,10 +340,9 @@ void attack(const Case& one, Random& random, Counts& counts, const std::string& 
   const bool right = round && faults.uncut < 0.006 && faults.gouge < 0.0005 && faults.rapid < 0;
   counts.wrong += faulty;
   counts.right += right;
-  pipeline::WitnessQuestion question = question_of(one);
+  WitnessQuestion question = question_of(one);
   question.engagement = false;
-  const pipeline::FoundWitness honest =
-      pipeline::find_witness(program, "program", one.outline, "part", question);
+  const FoundWitness honest = pipeline::find_witness(program, "program", one.outline, "part", question);
   const bool honestly = !honest.bytes.empty() && honest.missing.empty();
   std::string stale = one.witness;
   stale.replace(4, 32, ccw::sha256(program));
@@ -503,7 +501,7 @@ std::optional<Case> case_number(std::uint64_t seed) {
   const Regions square{
       Region::from_valid_loops(loop_from_points(std::vector<Vec2>{{0, 0}, {17, 0}, {17, 13}, {0, 13}}), {})};
   one.part = part_of(square, square, FeatureKind::kClosedPocket, one.diameter);
-  resolve::PlanOptions options = with_tool(one.diameter);
+  PlanOptions options = with_tool(one.diameter);
   options.strategy = "contour";
   options.stepover = "0.3";
   one.program = pipeline::plan_part(one.part, options).program;

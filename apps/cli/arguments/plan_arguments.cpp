@@ -16,7 +16,7 @@ namespace {
 
 /// Sets the source of limits not stated otherwise.
 void name_kind_as_source(Sources& sources) {
-  for (const std::string& limit : read::limits_of_kinds())
+  for (const std::string& limit : limits_of_kinds())
     if (!sources.find(limit)) sources.set(limit, {Origin::kUser, "--machine-kind"});
 }
 
@@ -131,7 +131,7 @@ Part PlanArguments::with_given_tools(Part part) const {
   const std::vector<Tool> given = tools();
   if (given.empty()) return part;
   part.tools = given;
-  resolve::number_tools(part.tools);
+  number_tools(part.tools);
   return part;
 }
 
@@ -139,16 +139,16 @@ Part PlanArguments::with_typed_tools(Part part) const {
   if (typed_.input.tools.empty()) return part;
   part.tools.clear();
   for (const std::string& text : typed_.input.tools) part.tools.push_back(parse_tool(text));
-  resolve::number_tools(part.tools);
+  number_tools(part.tools);
   return part;
 }
 
 SolidOptions PlanArguments::solid() const {
-  return read::read_options_of(typed_.input).solid;
+  return read_options_of(typed_.input).solid;
 }
 
 ReadOptions PlanArguments::read_options() const {
-  ReadOptions options = read::read_options_of(typed_.input);
+  ReadOptions options = read_options_of(typed_.input);
   options.ask_if_unclear = true;
   options.solid.tools = tools();
   if (stock_.has_solid()) options.block = stock_.solid(lies(job(), setup_, solid())).stock;
@@ -273,7 +273,7 @@ std::vector<MachinedSetup> PlanArguments::machined_before() const {
     one.part = is_job ? part_of_setup(whole, number, read_options(), one.place, sources, published)
                       : read_program_setup(number, one.place);
     const std::vector<Tool> given = tools();
-    if (!given.empty()) one.part.tools = given, resolve::number_tools(one.part.tools);
+    if (!given.empty()) one.part.tools = given, number_tools(one.part.tools);
     one.toolpath = checked.toolpath;
     one.conditions = open_conditions(checked.findings);
     one.faults = checked.findings.faults;
@@ -290,19 +290,18 @@ void PlanArguments::add_dialect_option(CLI::App& command) {
       ->check(one_of(controller_names()));
 }
 
-std::optional<read::gcode::Dialect> PlanArguments::dialect() const {
+std::optional<Dialect> PlanArguments::dialect() const {
   if (!dialect_) return std::nullopt;
-  const auto dialect = read::gcode::dialect_named(*dialect_);
+  const auto dialect = dialect_named(*dialect_);
   if (!dialect)
     throw InputError("--dialect", "'" + *dialect_ + "' is unknown; use one of " + controllers_text());
   return dialect;
 }
 
 /// The control of existing programs: the named one, else the one for which programs are posted.
-std::optional<read::gcode::Dialect> PlanArguments::control(const PostOptions& of_job) const {
-  return reads_programs_
-             ? dialect()
-             : read::gcode::dialect_named(values_.has("post") ? typed_.plan.post.dialect : of_job.dialect);
+std::optional<Dialect> PlanArguments::control(const PostOptions& of_job) const {
+  return reads_programs_ ? dialect()
+                         : dialect_named(values_.has("post") ? typed_.plan.post.dialect : of_job.dialect);
 }
 
 std::vector<Tool> PlanArguments::tools() const {
@@ -349,7 +348,7 @@ ToolLibrary PlanArguments::library() const {
 Machine PlanArguments::machine(const Machine& of_job) const {
   const Machine stated = typed_.input.machine_file ? read_machine(*typed_.input.machine_file) : of_job;
   const auto is_typed = [&](std::string_view name) { return values_.has(std::string(name)); };
-  return pipeline::with_typed(stated, {typed_.input.machine_kind, typed_.plan.machine, is_typed});
+  return with_typed(stated, {typed_.input.machine_kind, typed_.plan.machine, is_typed});
 }
 
 void PlanArguments::take_sources(const CLI::App& command) {
@@ -415,7 +414,7 @@ PlanOptions PlanArguments::options() const {
   options.machine = machine(from_job ? from_job->machine : Machine{});
   if (typed_.input.machine_file) {
     const Sources of_machine = machine_sources(*typed_.input.machine_file);
-    pipeline::accept_what_is_held(of_machine, options);
+    accept_what_is_held(of_machine, options);
     options.sources.merge(of_machine);
   }
   if (typed_.input.machine_kind) name_kind_as_source(options.sources);
@@ -441,7 +440,7 @@ PlanOptions PlanArguments::options() const {
     options.conditions = setup_.carried->conditions;
     options.earlier_state.faults = setup_.carried->faults;
   }
-  resolve::add_places(typed_.input.keep_outs, typed_.input.predrilled, options);
+  add_places(typed_.input.keep_outs, typed_.input.predrilled, options);
   options.step_published = step_published_;
   take_solver(options, from_job.has_value());
   options.nested = nested(options, from_job);

@@ -72,7 +72,7 @@ class PlanArguments {
   /// For a command that reads programs and writes none: --dialect, the control that runs them.
   void add_dialect_option(CLI::App& command);
   /// The typed dialect. Throws InputError for an unknown name.
-  std::optional<read::gcode::Dialect> dialect() const;
+  std::optional<Dialect> dialect() const;
   const std::string& input() const { return input_; }
   /// The project file that the input lies in; "" where it lies in none.
   const std::string& project() const { return project_; }
@@ -97,7 +97,7 @@ class PlanArguments {
   Part on_what_is_left(Part part, Block block) const;
   std::vector<NestedPart> nested(const PlanOptions& options, const std::optional<JobFile>& from_job) const;
   std::vector<MachinedSetup> machined_before() const;
-  std::optional<read::gcode::Dialect> control(const PostOptions& of_job) const;
+  std::optional<Dialect> control(const PostOptions& of_job) const;
   ReadOptions read_options() const;
   std::vector<Tool> tools() const;
   ToolLibrary library() const;

@@ -37,7 +37,7 @@ void StockArguments::lay_out(Part& part) const {
 const Toolpath& StockArguments::missing(std::vector<Tool> tools) const {
   if (missing_) return *missing_;
   if (tools.empty()) tools = tools_;
-  resolve::number_tools(tools);
+  number_tools(tools);
   missing_ = missing_of(*solid_, *block_, tools);
   return *missing_;
 }

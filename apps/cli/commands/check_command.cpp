@@ -55,7 +55,7 @@ void check_file(const std::string& what, const std::string& path, const std::str
 
 /// The hash of the motion follows from the text of the certified program.
 void check_motion(const std::string& path, const Json& program, std::vector<std::string>& faults) {
-  if (sha256_hex(report::motion_text(read_file(path))) != program.at("motion_sha256").get<std::string>())
+  if (sha256_hex(motion_text(read_file(path))) != program.at("motion_sha256").get<std::string>())
     faults.push_back("contradicts itself: /program/motion_sha256: is not that of the program");
 }
 

@@ -29,13 +29,13 @@ std::string spindle_of(const LibraryMachine& one) {
 
 void print_machines(bool as_markdown) {
   TextTable table;
-  table.columns = {{"name", report::Align::kLeft},
-                   {"machine", report::Align::kLeft},
-                   {"planner", report::Align::kLeft},
+  table.columns = {{"name", Align::kLeft},
+                   {"machine", Align::kLeft},
+                   {"planner", Align::kLeft},
                    {"speed mm/min"},
                    {"mm/s2"},
                    {"spindle rpm"},
-                   {"stated by", report::Align::kLeft}};
+                   {"stated by", Align::kLeft}};
   for (const LibraryMachine& one : machine_library())
     table.add({std::string(one.name), std::string(one.title), std::string(name_of(one.planner)),
                of_axes(one.speed), of_axes(one.acceleration), spindle_of(one), std::string(one.source)});

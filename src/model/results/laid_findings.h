@@ -39,4 +39,10 @@ struct LaidFindings {
   bool is_clean() const { return faults.empty(); }
 };
 
+struct InfillResult {
+  std::string strategy, stepover;
+  std::string program;
+  LaidFindings findings;  ///< of the program's text as read back
+};
+
 }  // namespace clearcut::inline model

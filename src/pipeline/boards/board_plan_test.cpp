@@ -81,12 +81,12 @@ class RandomBoard {
 TEST(Boards, NetsOfARasterOfPadsAreIsolated) {
   const char* set = std::getenv("CLEARCUT_BOARD_PADS");
   const RandomBoard board(set ? std::atoi(set) : 120, 1);
-  read::ReadOptions reading;
+  ReadOptions reading;
   reading.depth = 0.1;
   const Part part = read::read_part_text(board.gerber(), "F_Cu.gbr", reading);
   ASSERT_EQ(part.features.size(), 1U);
   EXPECT_EQ(part.features.front().kind, FeatureKind::kIsolation);
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.tools = {resolve::parse_tool("endmill:0.2")};
   options.strategy = "contour";
   const PlanResult result = plan_part(part, options);

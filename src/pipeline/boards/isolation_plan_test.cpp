@@ -14,10 +14,10 @@ namespace clearcut::pipeline {
 namespace {
 
 PlanResult planned(const std::string& gerber, const std::string& tool) {
-  read::ReadOptions reading;
+  ReadOptions reading;
   reading.depth = 0.1;
   const Part part = read::read_part_text(gerber, "F_Cu.gbr", reading);
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.tools = {resolve::parse_tool(tool)};
   return plan_part(part, options);
 }

@@ -19,7 +19,7 @@ namespace clearcut::pipeline {
 namespace {
 
 /// Clamps on a sheet to fill are in its coordinates, not in those of the part that is planned.
-std::vector<KeepOut> take_clamps(Part& part, resolve::PlanOptions& options) {
+std::vector<KeepOut> take_clamps(Part& part, PlanOptions& options) {
   std::vector<KeepOut> clamps = std::move(part.keep_outs);
   clamps.insert(clamps.end(), options.keep_outs.begin(), options.keep_outs.end());
   part.keep_outs.clear();
@@ -54,7 +54,7 @@ class SharedTools {
     return places;
   }
   const std::vector<Tool>& tools() const { return tools_; }
-  const std::vector<resolve::ToolCutting>& cutting() const { return cutting_; }
+  const std::vector<ToolCutting>& cutting() const { return cutting_; }
 
  private:
   int place_of(const Tool& tool, Kind& kind) {
@@ -81,7 +81,7 @@ class SharedTools {
   }
 
   std::vector<Tool> tools_;
-  std::vector<resolve::ToolCutting> cutting_;
+  std::vector<ToolCutting> cutting_;
   std::set<int> numbers_;
 };
 
@@ -143,7 +143,7 @@ std::string file_name_of(const std::string& path) {
 }
 
 /// The file that was asked for: of a job not its drawing.
-std::string name_of_nested(const resolve::PlanOptions& options, std::size_t index) {
+std::string name_of_nested(const PlanOptions& options, std::size_t index) {
   const auto& with = options.copies.with;
   const auto asked = index < with.size() ? nested_file(with[index]) : std::nullopt;
   return file_name_of(asked ? asked->file : options.nested[index].part.source_file);
@@ -155,7 +155,7 @@ bool is_cut_out(const Feature& feature) {
   return feature.profile && feature.profile->closed && feature.profile->side == ProfileSide::kOutside;
 }
 
-Kinds kinds_of(const Part& part, const resolve::PlanOptions& options, std::vector<KeepOut>& clamps) {
+Kinds kinds_of(const Part& part, const PlanOptions& options, std::vector<KeepOut>& clamps) {
   Kinds kinds;
   kinds.push_back({file_name_of(part.source_file), part, options, options.copies.count});
   if (options.copies.sheet) clamps = take_clamps(kinds.front().part, kinds.front().options);

@@ -14,7 +14,7 @@ namespace clearcut::pipeline {
 struct Kind {
   std::string name;  ///< of its file
   Part part;
-  resolve::PlanOptions options;
+  PlanOptions options;
   std::optional<int> count;  ///< absent: as many as fit
 };
 using Kinds = std::vector<Kind>;
@@ -24,7 +24,7 @@ using Kinds = std::vector<Kind>;
 /// coordinates and none of the part's.
 ///
 /// Throws  InputError for parts of another top or thickness than the first, and for clamps of further parts.
-Kinds kinds_of(const Part& part, const resolve::PlanOptions& options, std::vector<KeepOut>& clamps);
+Kinds kinds_of(const Part& part, const PlanOptions& options, std::vector<KeepOut>& clamps);
 
 /// Whether its piece comes out of the sheet.
 bool is_cut_out(const Feature& feature);

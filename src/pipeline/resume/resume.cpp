@@ -41,7 +41,7 @@ constexpr double kEntryHeight = 2, kCrossingHeight = 5;
 constexpr int kPlacesOnArc = 256;
 
 CheckResult checked_for_stop(const ProgramQuestion& question, const std::string& program,
-                             const std::string& name, const resolve::PlanOptions& options) {
+                             const std::string& name, const PlanOptions& options) {
   return question.part
              ? check_program(*question.part, program, name, options, question.dialect)
              : check_program_alone(question.stock, program, name, options, question.dialect, question.top);
@@ -49,8 +49,7 @@ CheckResult checked_for_stop(const ProgramQuestion& question, const std::string&
 
 /// How check_program() reads the program.
 read::gcode::ReadControllerOptions reading_again(const CheckResult& result, const std::string& program,
-                                                 const std::string& name,
-                                                 const resolve::PlanOptions& options) {
+                                                 const std::string& name, const PlanOptions& options) {
   read::gcode::ReadControllerOptions reading = reading_of(options, result.part.tools, name);
   reading.dialect = result.dialect;
   reading.safe_z = result.part.top_z();
@@ -426,7 +425,7 @@ bool is_below(const read::gcode::HeldState& held, double height) {
 }  // namespace
 
 ResumedProgram resume_program(const ProgramQuestion& question, const Stop& stop, const std::string& program,
-                              const std::string& program_name, const resolve::PlanOptions& options) {
+                              const std::string& program_name, const PlanOptions& options) {
   if (options.earlier)
     throw InputError("--after", "what ran before a program that is resumed is not read; leave it out");
   return resume_checked(checked_for_stop(question, program, program_name, options), question, stop, program,
@@ -435,7 +434,7 @@ ResumedProgram resume_program(const ProgramQuestion& question, const Stop& stop,
 
 ResumedProgram resume_checked(CheckResult checked, const ProgramQuestion& question, const Stop& stop,
                               const std::string& program, const std::string& program_name,
-                              const resolve::PlanOptions& options) {
+                              const PlanOptions& options) {
   ResumedProgram resumed;
   resumed.before = std::move(checked);
   const CheckResult& before = resumed.before;

@@ -57,7 +57,7 @@ M30
 )";
 
 ResumedProgram resumed_alone(const std::string& program, int line,
-                             std::optional<read::gcode::Dialect> dialect = read::gcode::Dialect::kLinuxCnc) {
+                             std::optional<Dialect> dialect = Dialect::kLinuxCnc) {
   ProgramQuestion question;
   question.stock = Stock{{{0, 0}, {60, 50}}, -10, 0};
   question.dialect = dialect;
@@ -140,7 +140,7 @@ TEST(Resume, NamesTheNearestLineThatServes) {
 
 /// The rest of a program is read with the radii that the whole is read with.
 TEST(Resume, ProgramsWithCompensatedPassesAreServedBeforeThem) {
-  resolve::PlanOptions options = with({"endmill:6"});
+  PlanOptions options = with({"endmill:6"});
   options.shop.finish = "walls";
   options.shop.compensation = "wear";
   options.shop.spring_passes = 1;
@@ -210,7 +210,7 @@ const std::string kKlartext = R"(0 BEGIN PGM POCKET MM
 )";
 
 ResumedProgram klartext_resumed(int line) {
-  return resumed_alone(kKlartext, line, read::gcode::Dialect::kHeidenhain);
+  return resumed_alone(kKlartext, line, Dialect::kHeidenhain);
 }
 std::string klartext_refused(int line) {
   try {
@@ -226,7 +226,7 @@ TEST(ResumeKlartext, DefinitionsOfToolsAreRepeated) {
   std::string program = kKlartext;
   const std::string definition = "TOOL DEF 1 L+0 R+3";
   program.insert(program.find("5 TOOL CALL"), "5 " + definition + "\n");
-  const ResumedProgram resumed = resumed_alone(program, 13, read::gcode::Dialect::kHeidenhain);
+  const ResumedProgram resumed = resumed_alone(program, 13, Dialect::kHeidenhain);
   EXPECT_LT(resumed.program.find(definition), resumed.program.find("TOOL CALL 1"));
 }
 
@@ -297,7 +297,7 @@ M30
 )";
 
 ResumedProgram sinumerik_resumed(int line) {
-  return resumed_alone(kSinumerik, line, read::gcode::Dialect::kSiemens);
+  return resumed_alone(kSinumerik, line, Dialect::kSiemens);
 }
 std::string sinumerik_refused(int line) {
   try {
@@ -340,7 +340,7 @@ TEST(ResumeSinumerik, NamesTheNearestLineThatServes) {
 TEST(Resume, APlaceIsPassedByTheFirstMoveThatRunsThere) {
   ProgramQuestion question;
   question.stock = Stock{{{0, 0}, {60, 50}}, -10, 0};
-  question.dialect = read::gcode::Dialect::kLinuxCnc;
+  question.dialect = Dialect::kLinuxCnc;
   Stop stop;
   stop.place = {{40.02, 25, -2}};
   const ResumedProgram resumed = resume_program(question, stop, kPocket, "pocket.nc", with({"endmill:6"}));
@@ -396,8 +396,8 @@ struct Counted {
 };
 
 /// Stops at random lines of one program.
-void stop_at_random(const Part& part, const PlanResult& planned, const resolve::PlanOptions& options,
-                    int stops, Random& random, Counted& counted) {
+void stop_at_random(const Part& part, const PlanResult& planned, const PlanOptions& options, int stops,
+                    Random& random, Counted& counted) {
   ProgramQuestion question;
   question.part = &part;
   question.dialect = read::gcode::dialect_named(options.post.dialect);
@@ -448,7 +448,7 @@ TEST(Resume, RandomStopsMakeTheSamePart) {
                               "marlin", "heidenhain", "siemens"}) {
     for (const bool inch : {false, true}) {
       if (inch && std::string(dialect) == "marlin") continue;
-      resolve::PlanOptions options = with({"endmill:6", "drill:5"});
+      PlanOptions options = with({"endmill:6", "drill:5"});
       options.post.dialect = dialect;
       options.post.inch = inch;
       options.cutting.coolant = Coolant::kFlood;

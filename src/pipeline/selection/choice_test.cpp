@@ -87,8 +87,8 @@ Part pocket() {
   return part;
 }
 
-resolve::PlanOptions by(const std::string& objective, const std::string& strategy = "") {
-  resolve::PlanOptions options;
+PlanOptions by(const std::string& objective, const std::string& strategy = "") {
+  PlanOptions options;
   options.tools = {resolve::parse_tool("endmill:8")};
   options.objective = objective;
   options.shop.material = "steel";
@@ -131,7 +131,7 @@ TEST(Choice, TheLightestProgramIsNotTheFastest) {
 
 /// The style of metals aims at an engagement, which by itself leaves adaptive clearing alone.
 TEST(Choice, StrategiesCompeteInTheStyleOfMetals) {
-  resolve::PlanOptions options = by("energy");
+  PlanOptions options = by("energy");
   options.shop.style.reset();
   EXPECT_GT(plan_part(pocket(), options).selections.front().planned(), 1U);
 }
@@ -143,7 +143,7 @@ TEST(Choice, ToursAreChosenAmongTheirOrders) {
   for (const CandidateResult& one : candidates) EXPECT_NE(one.order, "") << one.strategy;
 }
 
-std::string refusal(const resolve::PlanOptions& options) {
+std::string refusal(const PlanOptions& options) {
   try {
     plan_part(pocket(), options);
   } catch (const InputError& error) {
@@ -153,7 +153,7 @@ std::string refusal(const resolve::PlanOptions& options) {
 }
 
 TEST(Choice, WhatCannotServeIsRefused) {
-  resolve::PlanOptions options = by("force");
+  PlanOptions options = by("force");
   options.shop.material.reset();
   EXPECT_THAT(refusal(options), HasSubstr("add --material"));
   options = by("climb");
@@ -168,7 +168,7 @@ TEST(Choice, WhatCannotServeIsRefused) {
 /// Few teeth of a large cutter take large chips: the small one is slower and lighter.
 TEST(Choice, CuttersAreChosenByTheirLoad) {
   const auto compared = [](const std::string& objective) {
-    resolve::PlanOptions options = by(objective, "zigzag");
+    PlanOptions options = by(objective, "zigzag");
     options.tools = {resolve::parse_tool("endmill:4"), resolve::parse_tool("endmill:10")};
     options.sources.set("objective", {Origin::kUser, "--objective"});
     return compare_tools(pocket(), {}, options);

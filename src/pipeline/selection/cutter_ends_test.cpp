@@ -36,7 +36,7 @@ Part part_of(const std::vector<Feature>& features) {
 }
 
 PlanResult planned(const Part& part, const std::vector<std::string>& tools, bool rest) {
-  resolve::PlanOptions options;
+  PlanOptions options;
   for (const std::string& tool : tools) options.tools.push_back(resolve::parse_tool(tool));
   options.shop.rest = rest;
   options.accept = {"out-of-reach"};
@@ -69,7 +69,7 @@ TEST(CutterEnds, HolesAreDrilled) {
 
 /// With a drill alone the cone that it leaves is said, and nobody takes it for a flat floor.
 TEST(CutterEnds, ADrillAloneLeavesAFlatFloorOutOfReach) {
-  resolve::PlanOptions options;
+  PlanOptions options;
   options.tools = {resolve::parse_tool("drill:6:T1")};
   const PlanResult plan = plan_part(part_of({pocket("POCKET", disc({10, 10}, 3), 3)}), options);
   ASSERT_EQ(verdict_of(plan.findings), Verdict::kConditional);
@@ -103,7 +103,7 @@ TEST(CutterEnds, AFlatMillFinishesWhatABallLeaves) {
 /// In a round pocket the ring that a bull-nose leaves is all that stands, and no hole to start from is as wide as the pocket.
 TEST(CutterEnds, TheRingOfARoundPocketIsCutByEveryStrategy) {
   for (const char* strategy : {"contour", "zigzag", "spiral", "adaptive"}) {
-    resolve::PlanOptions options;
+    PlanOptions options;
     options.tools = {resolve::parse_tool("bullnose:7:corner=0.6:T1"), resolve::parse_tool("endmill:7:T2")};
     options.shop.rest = true;
     options.strategy = strategy;

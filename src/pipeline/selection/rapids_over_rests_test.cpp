@@ -16,7 +16,7 @@ std::string stacked() {
 }
 
 PlanResult planned(const char* strategy, const char* stepover, bool is_published) {
-  resolve::PlanOptions options = with({"endmill:10"});
+  PlanOptions options = with({"endmill:10"});
   options.strategy = strategy;
   if (*stepover != '\0') options.stepover = stepover;
   if (is_published) options.published.published_grid = true;
@@ -40,7 +40,7 @@ TEST(RapidsOverRests, OfPublishedContoursMeetNothing) {
 }
 
 TEST(RapidsOverRests, WhatHoldsNoPointOfThePublishedGridIsNamed) {
-  resolve::PlanOptions options = with({"endmill:10"});
+  PlanOptions options = with({"endmill:10"});
   options.strategy = "tour";
   options.published.published_grid = true;
   const std::string narrow = box("POCKET_D4", 0, 0, 57, 43) + circle("A_HOLE_D8", {80, 20}, 7);

@@ -15,7 +15,7 @@ namespace clearcut::pipeline {
 const StrategyTable& built_in_strategies();
 
 /// Those of the options, else those of the software.
-inline const StrategyTable& strategies_of(const resolve::PlanOptions& options) {
+inline const StrategyTable& strategies_of(const PlanOptions& options) {
   return options.strategies ? *options.strategies : built_in_strategies();
 }
 

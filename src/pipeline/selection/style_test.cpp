@@ -12,8 +12,8 @@ using ::testing::HasSubstr;
 
 const std::string kPocket = box("STOCK_D12", -10, -10, 90, 60) + rounded_box("POCKET_D6", 0, 0, 80, 50, 8);
 
-resolve::PlanOptions asked(const char* material, const char* style) {
-  resolve::PlanOptions options = with({"endmill:8"});
+PlanOptions asked(const char* material, const char* style) {
+  PlanOptions options = with({"endmill:8"});
   if (*material) options.shop.material = material;
   if (*style) options.shop.style = style;
   return options;
@@ -55,7 +55,7 @@ TEST(Style, TheFastestIsHadByAskingAndWithoutAMetal) {
 
 TEST(Style, WhatIsStatedGoesBeforeIt) {
   const Part part = drawn(kPocket);
-  resolve::PlanOptions options = asked("steel", "");
+  PlanOptions options = asked("steel", "");
   options.entry = EntryKind::kRamp;
   options.stepover = "0.3";
   const PlanResult stated = plan_part(part, options);
@@ -77,7 +77,7 @@ TEST(Style, ASlotThatTheCutterJustFitsIsCut) {
 }
 
 /// How often the plan's diagnostics name the other style.
-int times_told(const Part& part, const resolve::PlanOptions& options) {
+int times_told(const Part& part, const PlanOptions& options) {
   int count = 0;
   const PlanResult result = plan_part(part, options);
   for (const Diagnostic& said : result.part.diagnostics.items())
@@ -92,7 +92,7 @@ TEST(Style, ThatItIsTheFastestIsSaidWhereNobodyChose) {
   EXPECT_EQ(times_told(part, asked("", "fastest")), 0);
   EXPECT_EQ(times_told(part, asked("mdf", "")), 0);
   EXPECT_EQ(times_told(part, asked("steel", "")), 0);
-  resolve::PlanOptions ramped = asked("", "");
+  PlanOptions ramped = asked("", "");
   ramped.entry = EntryKind::kRamp;
   EXPECT_EQ(times_told(part, ramped), 0);
 }
@@ -108,7 +108,7 @@ double feed_of(const FeatureFindings& step) {
 /// Along a wall, a cutter would take the stock of both walls of a corner at once: 116 degrees and more. Corners are cut by arcs.
 TEST(LimitedEngagement, HoldsInTheCornersOfFinishedWalls) {
   for (const double limit : {60.0, 90.0, 110.0}) {
-    resolve::PlanOptions options = with({"endmill:4"});
+    PlanOptions options = with({"endmill:4"});
     options.engagement_deg = limit;
     options.shop.finish = "walls";
     const PlanResult result = plan_part(drawn(box("POCKET_D2", 0, 0, 20, 20)), options);
@@ -122,7 +122,7 @@ TEST(LimitedEngagement, HoldsInTheCornersOfFinishedWalls) {
 
 /// The small mill comes from what the wide one has cleared, and cuts four corners, not the boxes around them.
 TEST(LimitedEngagement, RestsAreCutFromWhatIsCleared) {
-  resolve::PlanOptions options = with({"endmill:6", "endmill:2"});
+  PlanOptions options = with({"endmill:6", "endmill:2"});
   options.engagement_deg = 60;
   options.shop.rest = true;
   const PlanResult result = plan_part(drawn(box("POCKET_D4", 0, 0, 40, 30)), options);

@@ -10,29 +10,10 @@
 #include "model/move.h"
 #include "model/part.h"
 #include "model/results/findings.h"
+#include "model/results/machined_setup.h"
 #include "model/setup_place.h"
 
 namespace clearcut::pipeline {
-
-/// A machined set-up: its part with the tools of its program, and the moves of that program as read back.
-struct MachinedSetup {
-  Part part;
-  Toolpath toolpath;
-  SetupPlace place;
-  /// Conditions and faults of its program not reported to the user elsewhere.
-  std::vector<Condition> conditions = {};
-  std::vector<Fault> faults = {};
-};
-
-/// Stock left by earlier set-ups, in the coordinates of a later one.
-struct CarriedStock {
-  Stock block;       ///< without layers faced off completely
-  Toolpath sweeps;   ///< moves of cylinders that have removed the missing material
-  std::string told;  ///< description of the carried and omitted cuts, for people
-  /// "floors-meet": see meeting_floors(); and conditions of the earlier programs.
-  std::vector<Condition> conditions;
-  std::vector<Fault> faults;  ///< faults of the earlier programs
-};
 
 /// The stock of a later set-up at `place` with the part `next`.
 ///

@@ -30,7 +30,7 @@ MachinedSetup machined(const std::string& drawn_text, const SetupPlace& place = 
 }
 
 PlanResult planned_on(const CarriedStock& carried, Part part) {
-  resolve::PlanOptions options = with(kTools);
+  PlanOptions options = with(kTools);
   part.stock = carried.block;
   options.earlier = carried.sweeps;
   return plan_part(part, options);
@@ -188,11 +188,11 @@ TEST(CarriedStock, ARapidIntoWhatIsLeftIsAFaultAndThroughWhatIsGoneIsNone) {
   ASSERT_TRUE(result.findings.all.clean) << faults_of(result.findings);
   Part part = below;
   part.stock = carried.block;
-  resolve::PlanOptions options = with(kTools);
+  PlanOptions options = with(kTools);
   options.earlier = carried.sweeps;
   const auto findings = [&](Vec2 at) {
     const std::string program = with_low_rapid(result.toolpath, result.part, at, -8);
-    return check_program(part, program, "rapid", options, read::gcode::Dialect::kLinuxCnc).findings;
+    return check_program(part, program, "rapid", options, Dialect::kLinuxCnc).findings;
   };
   const Findings through = findings({25, 40});
   EXPECT_FALSE(has(through, FaultKind::kRapidInMaterial)) << faults_of(through);
@@ -225,7 +225,7 @@ TEST(CarriedStock, FloorsThatMeetKeepAPlanFromBeingClean) {
   const CarriedStock carried =
       carried_stock({machined(kBlock + box("POCKET_D7", 10, 10, 40, 50))}, kBelow, next);
   next.stock = carried.block;
-  resolve::PlanOptions options = with(kTools);
+  PlanOptions options = with(kTools);
   options.earlier = carried.sweeps;
   options.conditions = carried.conditions;
   EXPECT_EQ(verdict_of(plan_part(next, options).findings), Verdict::kConditional);

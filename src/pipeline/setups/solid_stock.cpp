@@ -82,7 +82,7 @@ void append_cuts(const Section& section, double bottom, Sweeps& out) {
 }  // namespace
 
 Toolpath missing_of(Part stock, const Stock& block, const std::vector<Tool>& tools) {
-  resolve::PlanOptions options;
+  PlanOptions options;
   const Tool mill = narrowest_mill(tools);
   stock = moved_onto(std::move(stock), block);
   keep_reachable(stock, mill, options.tol);

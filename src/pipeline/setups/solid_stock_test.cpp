@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 const std::string kBlock = box("STOCK_D12", 0, 0, 80, 60);
 const std::string kPocket = box("POCKET_D10", 10, 10, 40, 30);
 
-PlanResult planned(const Part& part, const Part& stock, resolve::PlanOptions options = with({"endmill:6"})) {
+PlanResult planned(const Part& part, const Part& stock, PlanOptions options = with({"endmill:6"})) {
   resolve::number_tools(options.tools);
   options.earlier = missing_of(stock, *part.stock, options.tools);
   return plan_part(part, options);

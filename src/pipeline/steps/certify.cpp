@@ -300,8 +300,8 @@ verify::VerifyOptions verify_options(const ResolvedPlan& plan) {
   return verify;
 }
 
-read::gcode::Program read_back(const std::string& program, const Toolpath& planned, const ResolvedPlan& plan,
-                               double wear) {
+Program read_back(const std::string& program, const Toolpath& planned, const ResolvedPlan& plan,
+                  double wear) {
   read::gcode::ReadControllerOptions reading;
   reading.dialect = read::gcode::dialect_named(plan.post.dialect);
   reading.home_z = home_z(plan.machine);
@@ -315,7 +315,7 @@ read::gcode::Program read_back(const std::string& program, const Toolpath& plann
   const HandTools tools = hand_tools_of(program, std::move(usual));
   reading.hand_tools = tools.numbers;
   auto read = read::gcode::read_gcode(program, "program", reading);
-  if (tools.numbers.size() > 1 && reading.dialect == read::gcode::Dialect::kMarlin)
+  if (tools.numbers.size() > 1 && reading.dialect == Dialect::kMarlin)
     read.conditions.push_back(hand_tools_condition(tools));
   return read;
 }
@@ -420,8 +420,8 @@ void tell_calls(Findings& findings, const Toolpath& toolpath, const ControlTable
 }  // namespace
 
 Findings check(const Part& part, const Toolpath& toolpath, const ControlTable& control,
-               const std::vector<Condition>& conditions, read::gcode::Dialect dialect,
-               const ResolvedPlan& plan, StatedOfTools stated) {
+               const std::vector<Condition>& conditions, Dialect dialect, const ResolvedPlan& plan,
+               StatedOfTools stated) {
   verify::VerifyOptions verify = verify_options(plan);
   verify.tool_limits = std::move(stated.limits);
   verify.stated = std::move(stated.drives);
@@ -446,7 +446,7 @@ Findings check(const Part& part, const Toolpath& toolpath, const ControlTable& c
 
 void certify(PlanResult& result, const Toolpath& planned, const ResolvedPlan& plan) {
   result.program = unchecked_program(planned, result.part, plan);
-  read::gcode::Program read = read_back(result.program, planned, plan);
+  Program read = read_back(result.program, planned, plan);
   result.toolpath = std::move(read.toolpath);
   SectionNames(result.part).settle(result.toolpath);
   result.control = std::move(read.control);
@@ -454,7 +454,7 @@ void certify(PlanResult& result, const Toolpath& planned, const ResolvedPlan& pl
   if (!plan.post.wear) return;
   const WearQuestion question{plan.post.wear->range, read.compensated_tools, &result.part, &result.toolpath};
   check_wear(result.findings, question, [&](double wear) {
-    read::gcode::Program shifted = read_back(result.program, planned, plan, wear);
+    Program shifted = read_back(result.program, planned, plan, wear);
     const Part part = worn(result.part, read.compensated_tools, wear);
     SectionNames(part).settle(shifted.toolpath);
     Findings found =

@@ -16,6 +16,7 @@
 #include "model/results/copies_made.h"
 #include "model/results/findings.h"
 #include "model/results/margin.h"
+#include "model/results/plan_result.h"
 #include "model/results/strategy_selection.h"
 #include "read/gcode/program/dialect.h"
 #include "read/gcode/program/program.h"
@@ -23,21 +24,6 @@
 #include "verify/verify.h"
 
 namespace clearcut::pipeline {
-
-struct PlanResult {
-  Part part;             ///< as prepared: every default filled in, everything noticed in its diagnostics
-  std::string program;   ///< text for the controller
-  Toolpath toolpath;     ///< read back from `program`
-  Toolpath planned;      ///< toolpath before printing
-  Findings findings;     ///< findings on `toolpath`, with the conditions for these motions of the control
-  ControlTable control;  ///< state of the control at each move of `toolpath`
-  std::vector<report::ContourLevels> contours;  ///< contours of each section planned by contours
-  std::vector<ResolvedValue> values;            ///< every decided value, with its origin
-  std::vector<StrategySelection> selections;    ///< strategies of each workingstep
-  std::optional<Toolpath> earlier;              ///< earlier cuts
-  std::optional<Margin> margin;                 ///< absent: not asked
-  std::optional<CopiesMade> copies;             ///< absent: one part
-};
 
 /// Link options of a workingstep, by its place in the workplan. `entry`: kind of descent.
 link::LinkOptions link_options(const ResolvedPlan& plan, int workingstep, EntryKind entry);
@@ -85,16 +71,16 @@ struct StatedOfTools {
 /// Checks a program as read by a control: its moves, the control's states meanwhile, and the conditions of both.
 /// Marks the conditions met by the machine file or plan.accept. `stated` limits programs of other origin.
 Findings check(const Part& part, const Toolpath& toolpath, const ControlTable& control,
-               const std::vector<Condition>& conditions, read::gcode::Dialect dialect,
-               const ResolvedPlan& plan, StatedOfTools stated = {});
+               const std::vector<Condition>& conditions, Dialect dialect, const ResolvedPlan& plan,
+               StatedOfTools stated = {});
 
 /// The program for `planned` without a verdict in its header.
 std::string unchecked_program(const Toolpath& planned, const Part& part, const ResolvedPlan& plan);
 
 /// As the control that the program is posted for reads it; tools are put in by hand in the order of work where it has no words for
 /// them. `wear`: mm in every D word, where the control compensates.
-read::gcode::Program read_back(const std::string& program, const Toolpath& planned, const ResolvedPlan& plan,
-                               double wear = 0);
+Program read_back(const std::string& program, const Toolpath& planned, const ResolvedPlan& plan,
+                  double wear = 0);
 
 /// Posts `planned` for result.part, reads the program back, and checks the result.
 void certify(PlanResult& result, const Toolpath& planned, const ResolvedPlan& plan);

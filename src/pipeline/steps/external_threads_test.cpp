@@ -134,7 +134,7 @@ TEST(ExternalThreads, WrongOnesAreFound) {
       if (section.tool_number == 2) change(section);
     }
     const std::string program = post::write_program(wrong, result.part, options.post);
-    return check_program(part, program, "wrong", options, read::gcode::Dialect::kLinuxCnc).findings;
+    return check_program(part, program, "wrong", options, Dialect::kLinuxCnc).findings;
   };
   const auto scaled = [](double by) {
     return [by](Section& section) {
@@ -184,8 +184,8 @@ TEST(ExternalThreads, AnEndMillMayNotCutTheirCrests) {
   mill.moves.push_back({Edge::line(at, at), high, -5, MoveKind::kPlunge, feed, 0});
   mill.moves.push_back({Edge::line(at, at), -5, high, MoveKind::kRapid, {}, 0});
   const std::string program = post::write_program(wrong, result.part, options.post);
-  EXPECT_TRUE(has(check_program(part, program, "wrong", options, read::gcode::Dialect::kLinuxCnc).findings,
-                  FaultKind::kGouge));
+  EXPECT_TRUE(
+      has(check_program(part, program, "wrong", options, Dialect::kLinuxCnc).findings, FaultKind::kGouge));
 }
 
 }  // namespace

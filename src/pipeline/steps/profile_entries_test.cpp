@@ -25,8 +25,8 @@ struct Cut {
   double tab_height = 0;
 };
 
-resolve::PlanOptions options_of(const Cut& cut) {
-  resolve::PlanOptions options;
+PlanOptions options_of(const Cut& cut) {
+  PlanOptions options;
   options.tools = {resolve::parse_tool(cut.tool)};
   options.strategy = "contour";
   options.tabs.count = cut.tabs;
@@ -44,7 +44,7 @@ class TightProfiles : public ::testing::TestWithParam<Cut> {};
 TEST_P(TightProfiles, AreClean) {
   const Cut& cut = GetParam();
   const Part part =
-      read::read_part_text(drawing(outline(cut.layer, cut.outline)), "profile.dxf", read::ReadOptions{});
+      read::read_part_text(drawing(outline(cut.layer, cut.outline)), "profile.dxf", ReadOptions{});
   const auto result = plan_part(part, options_of(cut));
   for (const Fault& fault : result.findings.faults) ADD_FAILURE() << fault.text;
   EXPECT_EQ(verdict_of(result.findings), Verdict::kClean);

@@ -18,7 +18,7 @@ double count(const PlanResult& result, FaultKind kind) {
 
 PlanResult planned(bool published) {
   // The last column of points of the wide pocket stands at x 45: beyond x 50 all of it stays. The deep pocket has a column at x 51.
-  resolve::PlanOptions options = with({"endmill:10"});
+  PlanOptions options = with({"endmill:10"});
   options.strategy = "tour";
   options.stepover = "1";
   options.stepdown = 2;

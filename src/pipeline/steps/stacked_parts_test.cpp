@@ -59,7 +59,7 @@ std::string shape(const std::string& layer, Vec2 center, double size, Random& ra
 
 struct Stack {
   std::string entities;
-  resolve::PlanOptions options;
+  PlanOptions options;
   std::string told;  ///< what to repeat where it fails
 };
 
@@ -125,14 +125,14 @@ INSTANTIATE_TEST_SUITE_P(Strategies, StackedParts,
 /// The outer ring of a fast candidate leaves a post of the cutter's width in the middle, over what is cut later.
 TEST(StackedFeatures, APocketOverADeeperHoleLeavesNoPost) {
   const Part part = drawn(circle("POCKET_D3", {}, 20) + circle("HOLE_D10", {}, 15));
-  resolve::PlanOptions options = with({"endmill:8"});
+  PlanOptions options = with({"endmill:8"});
   options.stepdown = 3;
   EXPECT_EQ(faults_of(plan_part(part, options).findings), "");
 }
 
 TEST(StackedFeatures, APocketThatADeeperOneTakesWholeIsCutAllTheSame) {
   const Part part = drawn(circle("A_POCKET_D2", {2, -4}, 8) + circle("B_POCKET_D8", {4, -1}, 17.5));
-  resolve::PlanOptions options = with({"endmill:3"});
+  PlanOptions options = with({"endmill:3"});
   options.strategy = "contour";
   EXPECT_EQ(faults_of(plan_part(part, options).findings), "");
 }
@@ -141,7 +141,7 @@ TEST(StackedFeatures, APocketThatADeeperOneTakesWholeIsCutAllTheSame) {
 TEST(StackedFeatures, NoStockStaysOnAWallThatAnotherFeatureTakesAway) {
   const std::string shapes = circle("A_HOLE_D3", {}, 19.11) + box("B_POCKET_D8", -12, -10, 12, 29);
   for (const char* strategy : {"contour", "zigzag", "auto"}) {
-    resolve::PlanOptions options = with({"endmill:8"});
+    PlanOptions options = with({"endmill:8"});
     if (std::string(strategy) != "auto") options.strategy = strategy;
     options.allowance = 0.2;
     EXPECT_EQ(faults_of(plan_part(drawn(shapes), options).findings), "") << strategy;
@@ -153,7 +153,7 @@ TEST(StackedFeatures, NoStockStaysOnAWallThatAnotherFeatureTakesAway) {
 TEST(StackedFeatures, AFloorIsFinishedWhereTheDeeperPocketsCutterCannotReach) {
   const Part part =
       drawn(circle("B_POCKET_D4", {}, 10) + circle("C_POCKET_D8", {}, 16) + box("ISLAND", 3, -3, 9.5, 3));
-  resolve::PlanOptions options = with({"endmill:10", "endmill:5"});
+  PlanOptions options = with({"endmill:10", "endmill:5"});
   options.strategy = "contour";
   options.shop.finish = "floor";
   EXPECT_EQ(faults_of(plan_part(part, options).findings), "");
@@ -166,7 +166,7 @@ TEST(StackedFeatures, ANarrowCutterTakesWhatTheDeeperLayerOfAWiderOneLeftAbove) 
                           box("B_POCKET_D4", -24, -13, 24, 13) + circle("C_POCKET_D8", {}, 10) +
                           circle("C_POCKET_D8", {}, 12));
   for (const char* strategy : {"contour", "zigzag"}) {
-    resolve::PlanOptions options = with({"endmill:6", "endmill:8"});
+    PlanOptions options = with({"endmill:6", "endmill:8"});
     options.strategy = strategy;
     EXPECT_EQ(faults_of(plan_part(part, options).findings), "") << strategy;
   }

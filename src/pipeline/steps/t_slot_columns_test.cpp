@@ -186,7 +186,7 @@ Part part_of(const Scene& scene) {
   return drawn(text);
 }
 
-resolve::PlanOptions options_of(const Cutters& cutters) {
+PlanOptions options_of(const Cutters& cutters) {
   return with({"endmill:" + trimmed(cutters.mill, 1) + ":length=40",
                "tslot:" + trimmed(cutters.disc, 1) + ":length=" + trimmed(cutters.height, 1) +
                    ":shank=" + trimmed(cutters.neck, 1)});
@@ -250,8 +250,7 @@ std::string spoilt(const std::string& text, Random& random) {
 }
 
 /// Nothing where no control takes the program.
-std::optional<CheckResult> checked(const Part& part, const std::string& program,
-                                   const resolve::PlanOptions& options) {
+std::optional<CheckResult> checked(const Part& part, const std::string& program, const PlanOptions& options) {
   try {
     return check_program(part, program, "spoilt.ngc", options);
   } catch (const InputError&) {

@@ -88,7 +88,7 @@ void keep_load_when_worn(Toolpath& toolpath, const ResolvedPlan& plan) {
   const std::vector<Move*> moves = feed_moves_of(toolpath);
   for (const double wear : {-plan.post.wear->range, plan.post.wear->range}) {
     try {
-      read::gcode::Program read = read_back(program, numbered, plan, wear);
+      Program read = read_back(program, numbered, plan, wear);
       const Part part = worn(plan.part, read.compensated_tools, wear);
       SectionNames(part).settle(read.toolpath);
       lower(moves, std::move(read.toolpath), part, plan);

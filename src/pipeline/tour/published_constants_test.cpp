@@ -27,8 +27,8 @@ namespace {
 
 /// CPO-rho eq. 9: T = sum L / V_f + 2 (1 + nd) tau, tau = 0.177 s.
 TEST(PublishedConstants, TimeOfEquation9) {
-  EXPECT_NEAR(kinematics::published_time(100, 0), 100.354, 1e-9);
-  EXPECT_NEAR(kinematics::published_time(100, 9), 103.54, 1e-9);
+  EXPECT_NEAR(published_seconds(100, 0), 100.354, 1e-9);
+  EXPECT_NEAR(published_seconds(100, 9), 103.54, 1e-9);
 }
 
 /// The same as an objective: a row of four points 1 mm apart at 60 mm/min has no turn.

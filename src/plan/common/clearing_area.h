@@ -5,21 +5,10 @@
 #include <vector>
 
 #include "base/tolerances.h"
+#include "model/clearing_area.h"
 #include "model/layer.h"
 
 namespace clearcut::plan {
-
-/// One connected part of the legal area of the cutter's centre.
-struct ClearingComponent {
-  Region legal;
-  Regions rest;  ///< part of the target left by the wall passes: at least one tool radius inside `legal`
-  int outer_wall = -1;  ///< index of the pass along its outer boundary, else of one along an island; -1: none
-};
-
-struct ClearingArea {
-  std::vector<ClearingComponent> components;  ///< the index is `Pass::component`
-  LayerPasses walls;  ///< legal area, fit lines and wall passes; the strategy adds its own passes to them
-};
 
 /// Splits a layer into wall passes and rest.
 ///

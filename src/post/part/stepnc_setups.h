@@ -4,17 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "model/results/machined_setup.h"
 #include "model/setup_place.h"
 #include "post/part/part_writers.h"
 
 namespace clearcut::post {
-
-/// One of several set-ups of a workpiece, with what is planned for it.
-struct WrittenSetup {
-  Part part;  ///< in the coordinates of the set-up
-  Toolpath toolpath;
-  SetupPlace place;  ///< of the set-up
-};
 
 /// The same as write_stepnc() of a part with its toolpath, for several set-ups: a WORKPLAN and a SETUP for each, features in the
 /// coordinates of the workpiece.

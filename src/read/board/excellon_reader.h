@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "model/part.h"
-#include "read/common/read_options.h"
+#include "options/read_options.h"
 #include "read/drawing/drawing.h"
 
 namespace clearcut::read {

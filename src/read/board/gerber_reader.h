@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "model/part.h"
+#include "options/read_options.h"
 #include "read/board/drawn.h"
-#include "read/common/read_options.h"
 
 namespace clearcut::read {
 

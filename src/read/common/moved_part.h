@@ -5,14 +5,9 @@
 #include <string>
 
 #include "model/part.h"
+#include "options/job_file.h"
 
 namespace clearcut::read {
-
-/// Requested place of the program's zero.
-struct ZeroPoint {
-  std::string place;              ///< "corner", "centre" of the top of the block; "": the point
-  std::array<double, 3> point{};  ///< mm, in the coordinates of the file
-};
 
 /// "corner", "centre", or "X,Y,Z" in mm or with units. Throws InputError at `place`.
 ZeroPoint parse_zero_point(const std::string& text, const std::string& place = "--origin");

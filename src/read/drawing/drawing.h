@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "model/part.h"
-#include "read/common/read_options.h"
+#include "options/read_options.h"
 #include "read/repair/repair.h"
 
 namespace clearcut::read {
@@ -39,10 +39,6 @@ struct LayerMeaning {
 LayerMeaning meaning_of_layer(std::string_view name);
 /// The same of the kind in `--op KIND:SELECTION`, in which "STEP" has a meaning not used in names of layers.
 LayerMeaning meaning_of_kind(std::string_view kind);
-/// A pocket, or a step in one.
-constexpr bool is_pocket(LayerRole role) {
-  return role == LayerRole::kPocket || role == LayerRole::kStep;
-}
 /// Whether `name` matches `pattern`: case is ignored, * matches any text.
 bool matches(std::string_view pattern, std::string_view name);
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "options/plan_options.h"
-#include "read/common/read_options.h"
+#include "options/read_options.h"
 
 namespace clearcut::read {
 

@@ -10,7 +10,7 @@
 #include "base/tolerances.h"
 #include "geometry/region.h"
 #include "model/part.h"
-#include "read/common/read_options.h"
+#include "options/read_options.h"
 #include "read/drawing/outline_roles.h"
 
 namespace clearcut::read {

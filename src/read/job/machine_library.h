@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/library.h"
 #include "model/machine.h"
 
 namespace clearcut::read {
@@ -28,18 +29,6 @@ std::optional<MachineSettings> read_machine_settings(std::string_view text, cons
 /// Limits of the axes and, for planners with one value, those of the slower of X and Y.
 void set_axis_speeds(Machine& machine, const AxisValues& mm_per_min);
 void set_axis_accelerations(Machine& machine, const AxisValues& mm_per_s2);
-
-struct LibraryMachine {
-  std::string_view name;   ///< name for --machine: "shapeoko-3"
-  std::string_view title;  ///< maker and model
-  MotionPlanner planner = MotionPlanner::kGrbl;
-  AxisValues speed{};                ///< mm/min
-  AxisValues acceleration{};         ///< mm/s2; 0: its maker does not publish it
-  double junction_deviation = 0.01;  ///< mm
-  double min_rpm = 0, max_rpm = 0;   ///< 0: not stated
-  double power_w = 0;                ///< 0: not stated
-  std::string_view source;           ///< source of the values
-};
 
 /// In the order of their names.
 const std::vector<LibraryMachine>& machine_library();

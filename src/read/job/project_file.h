@@ -5,15 +5,9 @@
 #include <string>
 #include <vector>
 
-namespace clearcut::read {
+#include "options/job_file.h"
 
-/// What is asked in a project file. The files themselves are read by their paths within it: "a.clearcut.json/plate.dxf".
-struct ProjectFile {
-  std::string file;
-  std::string input;  ///< path of the part or job within the project file
-  /// Values of options by the names of their rows; a flag has none. Names of files within the project file are paths to them.
-  std::map<std::string, std::vector<std::string>> options;
-};
+namespace clearcut::read {
 
 /// Whether the name is that of a project file.
 bool is_project_name(const std::string& path);

@@ -9,7 +9,7 @@
 
 #include "model/part.h"
 #include "model/setup_place.h"
-#include "read/common/read_options.h"
+#include "options/read_options.h"
 
 namespace clearcut::read {
 

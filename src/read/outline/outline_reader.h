@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "model/part.h"
+#include "options/read_options.h"
 #include "read/common/data_value.h"
-#include "read/common/read_options.h"
 
 namespace clearcut::read {
 

@@ -12,7 +12,7 @@
 #include "base/tolerances.h"
 #include "geometry/region.h"
 #include "geometry/vec2.h"
-#include "read/common/read_options.h"
+#include "options/read_options.h"
 
 namespace clearcut::read {
 

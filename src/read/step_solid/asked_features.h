@@ -8,7 +8,7 @@
 #include "base/diagnostics.h"
 #include "base/tolerances.h"
 #include "model/part.h"
-#include "read/common/read_options.h"
+#include "options/read_options.h"
 
 namespace clearcut::read {
 

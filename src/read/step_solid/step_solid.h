@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "model/part.h"
-#include "read/common/read_options.h"
+#include "options/read_options.h"
 
 namespace clearcut::read {
 

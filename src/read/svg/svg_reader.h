@@ -6,7 +6,7 @@
 
 #include "base/diagnostics.h"
 #include "model/part.h"
-#include "read/common/read_options.h"
+#include "options/read_options.h"
 #include "read/drawing/drawing.h"
 
 namespace clearcut::read {

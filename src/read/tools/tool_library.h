@@ -8,34 +8,11 @@
 #include <vector>
 
 #include "base/diagnostics.h"
+#include "model/library.h"
 #include "model/tool.h"
 #include "read/common/data_value.h"
 
 namespace clearcut::read {
-
-/// Feeds and speeds of a library for a tool in one material.
-struct CuttingPreset {
-  std::string name;
-  CuttingData cutting;
-  std::optional<double> stepdown;  ///< mm
-  std::optional<double> stepover;  ///< fraction of the diameter
-};
-
-struct LibraryTool {
-  Tool tool;
-  std::vector<CuttingPreset> presets;
-};
-
-struct ToolLibrary {
-  std::vector<LibraryTool> tools;  ///< in the order of the file; numbers are unique
-  Diagnostics diagnostics;         ///< dropped tools and values, with reasons
-  std::vector<std::string> files;  ///< paths of files read in addition to the library's own
-};
-
-struct ToolOptions {
-  /// Unit of LinuxCNC tables, which do not state it: absent, mm with a warning.
-  std::optional<std::string> unit;
-};
 
 /// FreeCAD .fctb (one tool) and .fctl (a library, its tools beside it or in ../Bit), LinuxCNC .tbl, Fusion
 /// .json, and our .toml ([[tool]]; see docs/input.md), by extension.

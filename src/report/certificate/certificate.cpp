@@ -311,7 +311,7 @@ void add_contours(Json& json, const CertificateInfo& info) {
   for (const ContourLevels& one : info.contours)
     if (!one.coefficients.empty()) json["contours"].push_back(contours(one));
   if (!json.contains("contours") || !info.published) return;
-  const kinematics::PublishedTime& time = *info.published;
+  const PublishedTime& time = *info.published;
   json["published_time_s"] = number(time.seconds());
   json["published_length_mm"] = number(time.length_mm);
   json["published_discontinuities"] = time.discontinuities;

@@ -10,6 +10,7 @@
 #include "model/machine.h"
 #include "model/options/resolved_plan.h"
 #include "model/part.h"
+#include "model/results/certificate_basis.h"
 #include "model/results/copies_made.h"
 #include "model/results/findings.h"
 #include "model/results/length_bound.h"
@@ -18,21 +19,6 @@
 #include "report/result.h"
 
 namespace clearcut::report {
-
-/// A file on which the findings are based.
-struct CertificateFile {
-  std::string role;  ///< "part", "job", "tools", "machine", "earlier program", "stock", "program"
-  std::string name;  ///< name as given by the user
-  std::string sha256;
-};
-
-/// Result of the independent checker for a witness. Absent if no witness was requested.
-struct CertificateProof {
-  std::vector<std::string> proved;      ///< names of features proved to have no material left: claim C1
-  std::vector<std::string> not_proved;  ///< sentences naming the unproved features, with the reasons
-  std::vector<std::string> options;     ///< options of the checker
-  std::string witness_sha256;           ///< empty if no witness was found: then nothing is proved
-};
 
 /// Basis of the findings: sufficient to repeat them.
 struct CertificateInfo {
@@ -51,8 +37,8 @@ struct CertificateInfo {
   std::optional<std::string> material;
   /// Selections of the workingsteps; empty if a program of unknown origin was checked.
   std::vector<StrategySelection> selections;
-  std::vector<ContourLevels> contours = {};                 ///< with the coefficients of published methods
-  std::optional<kinematics::PublishedTime> published = {};  ///< CPO-rho eq. 9; absent: not asked
+  std::vector<ContourLevels> contours = {};     ///< with the coefficients of published methods
+  std::optional<PublishedTime> published = {};  ///< CPO-rho eq. 9; absent: not asked
   std::optional<CertificateProof> proof = {};
   std::optional<Margin> margin = {};      ///< absent: not asked
   std::optional<CopiesMade> copies = {};  ///< absent: one part

@@ -4,18 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "model/results/certificate_basis.h"
 #include "model/results/laid_findings.h"
 #include "report/certificate/certificate.h"
 
 namespace clearcut::report {
-
-struct LaidCertificateInfo {
-  std::string version;
-  std::vector<std::string> arguments;  ///< as typed
-  std::vector<CertificateFile> inputs;
-  std::string program_name, program;  ///< its path, and the checked text
-  std::string strategy, stepover;     ///< "" if they are not known
-};
 
 /// Shape   JSON; docs/howto-infill.md lists its fields.
 /// Units   in the names of the fields; numbers rounded to 1e-6.

@@ -7,6 +7,7 @@
 
 #include "model/design_element.h"
 #include "model/move.h"
+#include "model/results/elements_result.h"
 #include "report/words/text_table.h"
 
 namespace clearcut::report {
@@ -22,16 +23,6 @@ std::string points_csv(const ElementJob& job, const PointTable& table);
 
 /// The same for people.
 TextTable points_table(const ElementJob& job, const PointTable& table);
-
-/// Course of the search for one order of visits.
-struct VisitSearch {
-  std::string solver;      ///< "published" or "modern"
-  std::size_t points = 0;  ///< number of ordered points
-  double length = 0;       ///< length of the open path found, mm
-  /// Generations of the published solver, improvements of Clearcut's own; ascending.
-  std::vector<double> step;
-  std::vector<double> best;  ///< length of the best path by then, mm
-};
 
 /// Shape   one HTML document without network access and without scripts: the job's elements and tools, the squares
 ///         activated and reduced and the tool's impact (grid_picture), the visit as an animated picture, a

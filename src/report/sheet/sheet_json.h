@@ -5,7 +5,7 @@
 
 #include "report/sheet/setup_sheet.h"
 
-namespace clearcut::report {
+namespace clearcut::inline model {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SheetFact, name, value)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SheetColumn, name, is_number)
@@ -13,4 +13,4 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SheetTable, title, columns, rows)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SetupSheet, part, verdict, headline, facts, picture, tools, operations,
                                    notes, by_hand)
 
-}  // namespace clearcut::report
+}  // namespace clearcut::inline model

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "model/options/resolved_plan.h"
+#include "model/results/text_table.h"
 
 namespace clearcut::report {
 
@@ -22,24 +23,6 @@ std::string ascii(std::string_view text);
 
 /// At most `width` characters; longer text ends in "..".
 std::string shortened(const std::string& text, std::size_t width);
-
-enum class Align { kLeft, kRight };
-
-struct TableColumn {
-  std::string heading;
-  Align align = Align::kRight;
-};
-
-/// A row with fewer cells than columns ends in empty cells; a row without cells is a rule across the table.
-struct TextTable {
-  std::string title;  ///< "" for none
-  std::vector<TableColumn> columns;
-  std::vector<std::vector<std::string>> rows;
-  std::vector<std::string> notes;  ///< lines under the table
-
-  void add(std::vector<std::string> cells) { rows.push_back(std::move(cells)); }
-  void add_rule() { rows.emplace_back(); }
-};
 
 /// ASCII, columns two blanks apart, no trailing blanks; other characters become '?'.
 std::string plain(const TextTable& table);

@@ -7,9 +7,6 @@
 
 namespace clearcut::resolve {
 
-using options::PlanOptions;
-using options::ToolCutting;
-
 /// The source of a value set in the options.
 Source source_of(const PlanOptions& options, const std::string& name);
 

@@ -89,8 +89,7 @@ Figure tour_figure(const std::string& caption, const Regions& outline, const std
   return {caption, picture.text()};
 }
 
-Figure histograms_figure(const std::string& caption, const report::TextTable& table,
-                         const HistogramRows& rows) {
+Figure histograms_figure(const std::string& caption, const TextTable& table, const HistogramRows& rows) {
   report::ChartPanel panel;
   panel.title = caption;
   panel.x_label = "engagement, % of the leading half";

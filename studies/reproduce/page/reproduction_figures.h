@@ -24,7 +24,6 @@ struct HistogramRows {
   std::size_t model_column = 0;
   std::string model = "";
 };
-Figure histograms_figure(const std::string& caption, const report::TextTable& table,
-                         const HistogramRows& rows);
+Figure histograms_figure(const std::string& caption, const TextTable& table, const HistogramRows& rows);
 
 }  // namespace clearcut::studies

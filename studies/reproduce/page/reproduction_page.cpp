@@ -112,7 +112,7 @@ nlohmann::ordered_json json_of(const NamedReproduction& named) {
   json["agreement"] = name_of(named.reproduction.agreement());
   for (const auto& column : table.columns) {
     json["columns"].push_back(column.heading);
-    json["left"].push_back(column.align == report::Align::kLeft);
+    json["left"].push_back(column.align == Align::kLeft);
   }
   json["rows"] = nlohmann::ordered_json::array();
   for (const auto& row : table.rows) json["rows"].push_back(row);
@@ -142,13 +142,12 @@ NamedReproduction reproduction_of(const nlohmann::json& json) {
   NamedReproduction named;
   named.name = json.at("name").get<std::string>();
   named.place = json.at("place").get<std::string>();
-  report::TextTable& table = named.reproduction.table;
+  TextTable& table = named.reproduction.table;
   table.title = json.at("title").get<std::string>();
   const auto& left = json.at("left");
   for (const auto& heading : json.at("columns")) {
     const bool is_left = left.at(table.columns.size()).get<bool>();
-    table.columns.push_back(
-        {heading.get<std::string>(), is_left ? report::Align::kLeft : report::Align::kRight});
+    table.columns.push_back({heading.get<std::string>(), is_left ? Align::kLeft : Align::kRight});
   }
   table.rows = json.at("rows").get<std::vector<std::vector<std::string>>>();
   table.notes = json.at("notes").get<std::vector<std::string>>();

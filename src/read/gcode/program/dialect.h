@@ -7,25 +7,12 @@
 #include <string_view>
 #include <vector>
 
+#include "model/dialect.h"
 #include "model/machine.h"
 #include "model/options/post_options.h"
 #include "read/gcode/motion/compensation.h"
 
 namespace clearcut::read::gcode {
-
-enum class Dialect : unsigned char {
-  kLinuxCnc,
-  kGrbl,
-  kFanuc,
-  kHaas,
-  kHeidenhain,
-  kMach3,
-  kMach4,
-  kMarlin,
-  kSiemens,
-  kMazak,
-  kTormach
-};
 
 /// As options say it, one of kControllers: "linuxcnc", "grbl" and so on.
 std::string_view name_of(Dialect dialect);

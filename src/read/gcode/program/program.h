@@ -12,6 +12,7 @@
 #include "model/control.h"
 #include "model/machine.h"
 #include "model/move.h"
+#include "model/program.h"
 #include "read/gcode/motion/builder.h"
 #include "read/gcode/motion/compensation.h"
 #include "read/gcode/program/dialect.h"
@@ -43,20 +44,6 @@ struct ReadControllerOptions {
   SubprogramFiles subprograms;
   /// Lines that a program with macros may execute: a loop that never ends stops there.
   long long most_lines = 2'000'000;
-};
-
-struct Program {
-  Toolpath toolpath;
-  ControlTable
-      control;  ///< tool length, spindle, path control at each move; dwells and tool changes between them
-  Diagnostics
-      diagnostics;  ///< words that were ignored or assumed without moving anything, each with its line
-  std::vector<Condition>
-      conditions;  ///< what must hold at the machine for `toolpath` to be what it does; one a name
-  std::vector<int> compensated_tools;    ///< T words under cutter compensation, ascending
-  Dialect dialect = Dialect::kLinuxCnc;  ///< as which it was read
-  bool dialect_stated = false;           ///< by the options; else recognised
-  bool ended = false;                    ///< an end word was seen; Marlin has none and ends with the text
 };
 
 }  // namespace clearcut::read::gcode

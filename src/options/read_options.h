@@ -13,7 +13,7 @@
 #include "model/part.h"
 #include "options/plan_options.h"
 
-namespace clearcut::read {
+namespace clearcut::inline options {
 
 /// Treatment of open curves not closed by other curves.
 enum class OpenCurves {
@@ -38,6 +38,11 @@ enum class LayerRole {
   kStep,     ///< a pocket whose floor remains if deeper pockets overlap it
   kTSlot     ///< a slot with an undercut along the line; lines may be open
 };
+
+/// A pocket, or a step in one.
+constexpr bool is_pocket(LayerRole role) {
+  return role == LayerRole::kPocket || role == LayerRole::kStep;
+}
 
 /// A user's rule for the layers (DXF) or colours (SVG, "#ff0000") that match a pattern; it takes precedence over
 /// their names. The first matching rule counts. A pattern without matching layer may also be "outer" or numbers of
@@ -141,4 +146,4 @@ struct ReadOptions {
   Tolerances tol;
 };
 
-}  // namespace clearcut::read
+}  // namespace clearcut::inline options
