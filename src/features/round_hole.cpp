@@ -7,8 +7,6 @@
 #include "model/cutter_profile.h"
 
 namespace clearcut::features {
-namespace {}  // namespace
-
 std::optional<RoundHole> round_hole_of(const Feature& feature, const Tolerances& tol) {
   if (!closed_all_round(feature) || feature.wall_slope.radians() != 0 || feature.target.size() != 1)
     return std::nullopt;
@@ -64,11 +62,11 @@ std::vector<PredrilledHole> holes_before(const Part& part, int workingstep, cons
     const Workingstep& step = part.workplan[static_cast<std::size_t>(i)];
     const Feature& feature = feature_of(part, step);
     const double floor = feature.floor_z + step.operation.allowance_floor;
-    if (floor > deep || !box(feature.target).overlaps(here)) continue;
+    if (floor > deep) continue;
     if (is_formed(feature)) continue;  // narrower than its outline, or no deeper than its cone
-    const Tool& tool = tool_of(part, step);
     const auto hole = round_hole_of(feature, tol);
-    if (!hole) continue;
+    if (!hole || !box(feature.target).overlaps(here)) continue;
+    const Tool& tool = tool_of(part, step);
     const double milled = hole->radius - step.operation.allowance_side;
     if (tool.radius() > (makes_holes(tool) ? hole->radius : milled) + tol.fit) continue;
     // If the tool's end is rounded or pointed, the hole is narrower at this depth than higher up.

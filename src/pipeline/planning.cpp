@@ -56,16 +56,17 @@ class Sizes {
   explicit Sizes(const Tolerances& tol) : tol_(tol) {}
 
   void add(StepPlan& plan, const Layer& layer, const LayerPasses& passes) {
+    const bool pocket = plan::closed_all_round(layer);
+    plan.pocket = plan.pocket && pocket;
+    if (plan.hole) return;  // no other strategy is tried
     double rim = 0;
     for (const auto& region : passes.legal) {
       for (const auto& edge : region.edges()) rim += edge.length();
     }
-    const bool pocket = plan::closed_all_round(layer);
     plan.size.reached_mm2 += pocket ? area(passes.legal) + kBeyondRim * layer.tool_radius * rim
                                     : reached_of_open(layer, passes.legal);
     plan.size.legal_rim_mm += rim;
     plan.size.edges = std::max(plan.size.edges, edge_count(passes.legal));
-    plan.pocket = plan.pocket && pocket;
   }
 
  private:
@@ -189,10 +190,10 @@ StepPlan plan_step_to_beat(double to_beat, const StepWork& work, const StrategyC
     plan.section = *work.hole;
     plan.hole = true;
   } else {
+    plan.hole = feature.profile.has_value();
     const auto passes = passes_of(work, feature, candidate, job, plan);
     const EntryKind entry =
         !feature.profile && candidate.strategy->limits_engagement ? step.entry_at_limit : step.entry;
-    plan.hole = feature.profile.has_value();
     plan.section = link_step(passes, work.workingstep, entry, job);
     plan.time_s = time_on_machine(plan.section, job);
     if (candidate.strategy->loses_air_cuts && may_lose_air_cuts(work, plan, job))

@@ -13,6 +13,7 @@
 #include "features/round_hole.h"
 #include "features/tool_choice.h"
 #include "geometry/contours/boolean.h"
+#include "geometry/opened_area.h"
 #include "geometry/region.h"
 #include "geometry/voronoi/clearance.h"
 #include "model/cutter_profile.h"
@@ -52,33 +53,31 @@ class LeftByDiameter {
   /// mm2. The area reached in a pocket closed all round is inside the pocket: comparing areas suffices, without
   /// booleans of outlines with thousands of edges.
   double left(double diameter) const {
-    const Regions centers = legal(diameter / 2);
+    const double r = diameter / 2;
+    bool corners_only = true;
+    const Regions centers = legal(r, &corners_only);
     if (centers.empty()) return target_;
-    const Regions reached = dilate(centers, diameter / 2, tol_);
+    if (closed_ && corners_only) return target_ - area_within(centers, r);
+    const Regions reached = dilate(centers, r, tol_);
     return closed_ ? target_ - area(reached) : area(subtract(feature_.target, reached, tol_));
   }
 
-  /// Whether certainly more than `most` mm2 is left, without computing the swept area. The area within r of the legal
-  /// centres is at most A + r L + pi r2 (pieces - islands) for their area A and rim L (Steiner): it equals this if no
-  /// two stretches of the rim reach the same place.
+  /// Whether certainly more than `most` mm2 is left, without computing the swept area.
   bool surely_leaves_more_than(double most, double diameter) const {
     if (!closed_) return left(diameter) > most;
     const double r = diameter / 2;
-    double reached = 0;
-    for (const Region& region : legal(r)) {
-      reached +=
-          signed_area(region.outer()) + kPi * r * r * (1 - static_cast<double>(region.islands().size()));
-      for (const Loop& island : region.islands()) reached += signed_area(island);
-      for (const Edge& edge : region.edges()) reached += r * edge.length();
-    }
-    return target_ - reached > most + kSameArea * target_;
+    return target_ - area_within(legal(r), r) > most + kSameArea * target_;
   }
 
  private:
-  Regions legal(double radius) const {
+  /// `corners_only` becomes false unless the cutter misses nothing but corners.
+  Regions legal(double radius, bool* corners_only = nullptr) const {
     Regions all;
-    for (const Clearance& one : allowed_)
-      for (Region& region : one.inset(radius)) all.push_back(std::move(region));
+    for (std::size_t i = 0; i < allowed_.size(); ++i) {
+      Regions inside = allowed_[i].inset(radius);
+      if (corners_only && !is_opened_at_corners_only(feature_.allowed[i], inside)) *corners_only = false;
+      for (Region& region : inside) all.push_back(std::move(region));
+    }
     return all;
   }
 
