@@ -28,6 +28,8 @@ constexpr int kRounds = 2;
 /// Radii tried for circles of rings, in radii of the disc: the first, the ratio of successive ones, and their number.
 constexpr double kFirstRing = 1.5, kWider = 1.2;
 constexpr int kRingSizes = 24;
+/// mm. Rings whose gain is less than that of others by this need no exact area.
+constexpr double kSurelyLess = 1e-3;
 /// Number of edges times candidates up to which points and rings are searched.
 constexpr double kMostWork = 4e5;
 
@@ -322,6 +324,7 @@ RatedRing best_ring(const Shares& shares, Vec2 at, const LengthBound& bound) {
     room = std::min(room, distance(at, ring.at) - ring.radius_mm);
   const double farthest = shares.farthest(at);
   RatedRing best;
+  double area = 0;  // mm2; within the last circle computed, and in wider ones at least
   double size = kFirstRing * radius;
   for (int i = 0; i < kRingSizes; ++i, size *= kWider) {
     if (size > room) {
@@ -330,7 +333,8 @@ RatedRing best_ring(const Shares& shares, Vec2 at, const LengthBound& bound) {
     }
     const double reach = size + radius;
     if (farthest <= reach) break;
-    const double area = shares.area_in(at, reach) + shares.curve_error();
+    if (2 * (size - radius) - area / (2 * radius) < best.gain - kSurelyLess) continue;
+    area = shares.area_in(at, reach) + shares.curve_error();
     double lost = 0;
     for (const LengthBoundPoint& point : bound.points)
       if (distance(point.at, at) < reach + 0.5 * radius) lost += point.mm2;
