@@ -134,6 +134,19 @@ TEST(DxfFill, WhatLiesBesideLinesOfItsLayerIsDecoration) {
   EXPECT_THAT(left_out(part), testing::HasSubstr("no outlines: 1 HATCH on layer D5"));
 }
 
+/// Beside lines of a layer with a stated role.
+TEST(DxfFill, WhatNoLinesBoundMayBePartOfTheWork) {
+  const auto open_conditions = [](const std::string& lines) {
+    const Part part = read(drawing(lines + kHatch + " 91 1" + kSquare + kEnd), fills_asked());
+    return std::count_if(part.diagnostics.items().begin(), part.diagnostics.items().end(),
+                         [](const Diagnostic& item) { return item.condition == "left-out"; });
+  };
+  const std::string elsewhere = " 0 CIRCLE 8 D5 10 50 20 5 40 2";
+  EXPECT_EQ(open_conditions(elsewhere), 1);
+  const std::string around = " 0 LWPOLYLINE 8 D7 90 4 70 1 10 0 20 0 10 10 20 0 10 10 20 10 10 0 20 10";
+  EXPECT_EQ(open_conditions(elsewhere + around), 0);
+}
+
 TEST(DxfFill, BesideLinesOfOtherLayersSomebodyHasToAsk) {
   const std::string text = drawing(kLines + kHatch + " 91 1" + kSquare + kEnd);
   const Part part = read(text);

@@ -22,6 +22,10 @@ namespace {
 constexpr int kDeepestBlocks = 16;
 /// Units of the drawing. Heights differing by less are equal.
 constexpr double kFlat = 1e-6;
+/// mm; lines this near to the boundary of a fill are drawn along it.
+constexpr double kOnLine = 0.05;
+/// Edges of a boundary that are looked for among the lines.
+constexpr std::size_t kSamplesOfBoundary = 8;
 /// Entities after all blocks are put in place: beyond this the drawing is a trap.
 constexpr int kMostEntities = 2'000'000;
 
@@ -300,17 +304,21 @@ class Collector {
   }
 
   /// The boundaries of fills are outlines if their layer has no lines, and the layer's role is stated or the drawing
-  /// has no lines at all. Otherwise they show areas bounded by lines, or are decoration.
+  /// has no lines at all. Otherwise they show areas bounded by lines, or are decoration; on a layer with a stated role,
+  /// a fill that no lines bound may be part of the work.
   void take_fills() {
     const auto has_curves = [](const DrawnGroup& group) { return !group.curves.empty(); };
     const bool lines = std::any_of(groups_.begin(), groups_.end(), has_curves);
     for (auto& [key, fills] : fills_) {
       const bool beside_lines = by_layer_.count(key) > 0 && has_curves(groups_[by_layer_.at(key)]);
-      const bool taken = !beside_lines && (!lines || new_group(fills.front().layer).says_role);
+      const bool says_role = new_group(fills.front().layer).says_role;
+      const bool taken = !beside_lines && (!lines || says_role);
       for (const Fill& fill : fills) {
         const std::string type(fill.entity->type);
         if (taken) {
           take_fill(fill);
+        } else if (beside_lines && says_role && !is_bounded_by_lines(fill)) {
+          leave_out_shape(type + " that no lines bound", fill.layer);
         } else if (beside_lines) {
           leave_out(type, fill.layer);
         } else {
@@ -318,6 +326,29 @@ class Collector {
         }
       }
     }
+  }
+
+  /// Whether lines are drawn along the boundaries of a fill: at the middles of some of their edges.
+  bool is_bounded_by_lines(const Fill& fill) const {
+    const auto boundaries = boundaries_of(document_, *fill.entity, fill.map);
+    if (!boundaries) return true;
+    return std::all_of(boundaries->begin(), boundaries->end(), [&](const RawCurve& curve) {
+      const std::size_t step = 1 + curve.edges.size() / kSamplesOfBoundary;
+      for (std::size_t i = 0; i < curve.edges.size(); i += step)
+        if (!is_drawn(curve.edges[i].at(0.5))) return false;
+      return true;
+    });
+  }
+
+  bool is_drawn(Vec2 p) const {
+    const auto leads_through = [&](const Edge& edge) {
+      return edge.box().grown(kOnLine).contains(p) && distance(nearest_point(edge, p), p) <= kOnLine;
+    };
+    return std::any_of(groups_.begin(), groups_.end(), [&](const DrawnGroup& group) {
+      return std::any_of(group.curves.begin(), group.curves.end(), [&](const RawCurve& curve) {
+        return std::any_of(curve.edges.begin(), curve.edges.end(), leads_through);
+      });
+    });
   }
 
   void take_fill(const Fill& fill) {

@@ -1,10 +1,14 @@
 #include <algorithm>
+#include <array>
+#include <functional>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "base/text.h"
 #include "base/units.h"
@@ -78,16 +82,23 @@ void fold_alike(std::vector<Fault>& faults) {
   faults = std::move(kept);
 }
 
-/// Sets the kind of the cause of the faults selected by `follows`; returns their number.
-template <typename Follows>
-std::size_t mark_followers(std::vector<Fault>& faults, FaultKind cause, Follows follows) {
+/// A mistake from which other faults follow.
+struct Cause {
+  std::size_t fault = 0;    ///< its place in the list
+  std::string consequence;  ///< what its sentence says further if any fault follows
+  std::function<bool(const Fault&)> causes;
+};
+
+/// Faults that follow from the cause state its kind as theirs, and its sentence states their number.
+void fold_followers(const Cause& cause, std::vector<Fault>& faults) {
+  Fault& first = faults[cause.fault];
   std::size_t count = 0;
   for (Fault& fault : faults) {
-    if (!fault.cause.empty() || !follows(fault)) continue;
-    fault.cause = name_of(cause);
+    if (&fault == &first || !fault.cause.empty() || !cause.causes(fault)) continue;
+    fault.cause = name_of(first.kind);
     ++count;
   }
-  return count;
+  if (count > 0) first.text += cause.consequence + " " + counted_faults(count);
 }
 
 bool is_unknown(const CheckedMove& checked) {
@@ -112,16 +123,16 @@ std::set<std::string> cut_by_unknown_tools(const Part& part, const CheckedProgra
   return names;
 }
 
-/// Leaves out faults about material that the work of unknown tools does not count as having cut.
-void fold_unknown_tools(const Part& part, const CheckedProgram& program, std::vector<Fault>& faults) {
-  const auto cause = std::find_if(faults.begin(), faults.end(),
-                                  [](const Fault& fault) { return fault.kind == FaultKind::kWrongTool; });
-  if (cause == faults.end() || !part.is_shape_stated) return;
-  const std::set<std::string> names = cut_by_unknown_tools(part, program);
-  const std::size_t count = mark_followers(faults, FaultKind::kWrongTool, [&](const Fault& fault) {
-    return row_of(fault.kind).of_missing_cuts && names.count(fault.feature) > 0;
-  });
-  if (count > 0) cause->text += " What it cuts counts as uncut; " + counted_faults(count);
+/// An unknown tool causes faults about material that its work does not count as having cut.
+std::optional<Cause> unknown_tool(const Part& part, const CheckedProgram& program,
+                                  const std::vector<Fault>& faults) {
+  const auto at = std::find_if(faults.begin(), faults.end(),
+                               [](const Fault& fault) { return fault.kind == FaultKind::kWrongTool; });
+  if (at == faults.end() || !part.is_shape_stated) return std::nullopt;
+  return Cause{static_cast<std::size_t>(at - faults.begin()), " What it cuts counts as uncut;",
+               [names = cut_by_unknown_tools(part, program)](const Fault& fault) {
+                 return row_of(fault.kind).of_missing_cuts && names.count(fault.feature) > 0;
+               }};
 }
 
 /// Extent of a cut volume in plan view, and its depth.
@@ -206,19 +217,131 @@ std::optional<Fault> wrong_units(const Part& part, const CheckedProgram& program
                    trimmed(work->size(), 3) + " mm wide: " + told_of_units(options.control, too_large) + "."};
 }
 
+/// The least share of the stated stock's area that another stock takes in if the stated one is to be a mistake.
+constexpr double kLeastStock = 0.3;
+/// The least share of the length of all cuts that meets such a stock.
+constexpr double kLeastCuts = 0.75;
+
+Box swept_by(const CheckedMove& checked) {
+  return checked.move->path.box().grown(checked.radius());
+}
+
+bool is_own_cut(const CheckedMove& checked) {
+  return !checked.earlier && !checked.is_carried() && checked.cuts();
+}
+
+/// mm; the highest end of the program's cuts: rapids above it are over all work.
+double highest_cut(const CheckedProgram& program) {
+  double highest = -std::numeric_limits<double>::infinity();
+  for (const CheckedMove& checked : program.moves)
+    if (is_own_cut(checked)) highest = std::max(highest, checked.low_z());
+  return highest;
+}
+
+constexpr unsigned kSides = 4;
+
+/// Takes the least from one of the sides whose bit in `sides` is set that leaves nothing of `plan` in `swept`.
+void trim_one_side(Box& plan, const Box& swept, unsigned sides) {
+  const std::array<double, kSides> losses{swept.max.x - plan.min.x, plan.max.x - swept.min.x,
+                                          swept.max.y - plan.min.y, plan.max.y - swept.min.y};
+  unsigned least = kSides;
+  for (unsigned side = 0; side < kSides; ++side)
+    if ((sides >> side & 1U) && (least == kSides || losses[side] < losses[least])) least = side;
+  if (*std::min_element(losses.begin(), losses.end()) <= 0) return;
+  const std::array<double*, kSides> ends{&plan.min.x, &plan.max.x, &plan.min.y, &plan.max.y};
+  *ends[least] += least % 2 == 0 ? losses[least] : -losses[least];
+}
+
+/// mm2; 0 for a box without extent.
+double area_of(const Box& plan) {
+  return std::max(plan.width(), 0.0) * std::max(plan.height(), 0.0);
+}
+
+/// The largest box within `plan`, taking from some of its sides, that leaves nothing in any of `swept`.
+Box trimmed_plan(const Box& plan, const std::vector<Box>& swept) {
+  Box best;
+  for (unsigned sides = 1; sides < 1U << kSides; ++sides) {
+    Box left = plan;
+    for (const Box& box : swept) trim_one_side(left, box, sides);
+    if (best.empty() || area_of(left) > area_of(best)) best = left;
+  }
+  return best;
+}
+
+/// Whether most of what is cut of the stated stock is cut of `other`, too.
+bool is_stock_of_program(const Stock& other, const Stock& stated, const CheckedProgram& program) {
+  if (area_of(other.plan) < kLeastStock * area_of(stated.plan) || other.z_top <= other.z_bottom) return false;
+  double all = 0, met = 0;
+  for (const CheckedMove& checked : program.moves) {
+    if (!is_own_cut(checked)) continue;
+    const double length = checked.move->length();
+    all += length;
+    if (checked.low_z() < other.z_top && other.plan.overlaps(swept_by(checked))) met += length;
+  }
+  return met >= kLeastCuts * all && all > 0;
+}
+
+/// The part of the stock that no rapid touches: without its outer parts, in which rapids go down or over the work.
+Stock stock_without_rapids(const Stock& stated, const CheckedProgram& program) {
+  Stock other = stated;
+  const double over_work = highest_cut(program);
+  std::vector<Box> beside_work;
+  for (const CheckedMove& checked : program.moves) {
+    if (checked.earlier || checked.is_carried() || !checked.load.rapid_contact) continue;
+    if (checked.low_z() > over_work) {
+      other.z_top = std::min(other.z_top, checked.low_z());
+    } else {
+      beside_work.push_back(swept_by(checked));
+    }
+  }
+  other.plan = trimmed_plan(stated.plan, beside_work);
+  return other;
+}
+
+std::string text_of(const Stock& stock) {
+  const auto range = [](const char* axis, double low, double high) {
+    return std::string(axis) + " " + trimmed(low, 3) + " to " + trimmed(high, 3);
+  };
+  return range("x", stock.plan.min.x, stock.plan.max.x) + ", " +
+         range("y", stock.plan.min.y, stock.plan.max.y) + ", " + range("z", stock.z_bottom, stock.z_top);
+}
+
+/// A stock that is stated too large or in another place, or rapids that are too low for it, cause all faults of rapids,
+/// and those below the bottom of a stock that is stated too high.
+std::optional<Cause> outer_stock(const Part& part, const CheckedProgram& program,
+                                 const std::vector<Fault>& faults) {
+  const auto at = std::find_if(faults.begin(), faults.end(), [](const Fault& fault) {
+    return fault.kind == FaultKind::kRapidInMaterial && fault.cause.empty();
+  });
+  if (at == faults.end() || !part.stock) return std::nullopt;
+  Stock other = stock_without_rapids(*part.stock, program);
+  const double too_high = part.stock->z_top - other.z_top;
+  const auto is_too_high = [too_high](const Fault& fault) {
+    return fault.kind == FaultKind::kBeyondStock && too_high > 0 && fault.size <= too_high + kBelow;
+  };
+  if (std::any_of(faults.begin(), faults.end(), is_too_high)) other.z_bottom -= too_high;
+  if (!is_stock_of_program(other, *part.stock, program)) return std::nullopt;
+  return Cause{static_cast<std::size_t>(at - faults.begin()),
+               " None would with a stock of " + text_of(other) + " in place of " + text_of(*part.stock) +
+                   ": the stock is stated too large or elsewhere, or rapids are too low.",
+               [is_too_high](const Fault& fault) {
+                 return fault.kind == FaultKind::kRapidInMaterial || is_too_high(fault);
+               }};
+}
+
 }  // namespace
 
 void fold_causes(const Part& part, const CheckedProgram& program, const VerifyOptions& options,
                  std::vector<Fault>& faults) {
   if (faults.empty()) return;
   fold_alike(faults);
-  fold_unknown_tools(part, program, faults);
-  std::optional<Fault> units = wrong_units(part, program, options);
-  if (!units) return;
-  const std::size_t count = mark_followers(faults, FaultKind::kUnits,
-                                           [](const Fault& fault) { return !row_of(fault.kind).of_state; });
-  if (count > 0) units->text += " " + counted_faults(count);
-  faults.insert(faults.begin(), *std::move(units));
+  if (const auto cause = unknown_tool(part, program, faults)) fold_followers(*cause, faults);
+  if (std::optional<Fault> units = wrong_units(part, program, options)) {
+    faults.insert(faults.begin(), *std::move(units));
+    fold_followers({0, "", [](const Fault& fault) { return !row_of(fault.kind).of_state; }}, faults);
+    return;
+  }
+  if (const auto cause = outer_stock(part, program, faults)) fold_followers(*cause, faults);
 }
 
 }  // namespace clearcut::verify

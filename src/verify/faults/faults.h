@@ -51,14 +51,15 @@ std::string stickout_that_clears(double top, double lowest);
 /// `lowest`: lowest height of the tip of this tool in the whole program, mm.
 std::optional<Fault> keep_out_fault(const Part& part, const CheckedMove& checked, double lowest);
 
-/// During the search for faults: the cause of faults due to a stock lacking material of the part. A wrong blank is
-/// one mistake, for any number of features.
-inline constexpr const char* kWrongStock = "stock that lacks material";
+/// During the search for faults: the cause of faults due to a stock that lacks material of the part or ends above the
+/// cuts. A wrong blank is one mistake, for any number of features.
+inline constexpr const char* kWrongStock = "wrong stock";
 
 /// Faults of one kind and cause become one, the worst of them, with the number of the others in its sentence. A
 /// program 25.4 times as large or as small as the work has a fault of the kind kUnits, the cause of all faults due to
 /// the wrong size. An unknown tool is the cause of the faults about material that its work does not count as having
-/// cut. The sentence of a fault states the number of faults caused by it. Afterwards Fault::cause of the caused
+/// cut. If no rapid would touch a smaller stock, of which the program cuts most of what it cuts of the stated one, the
+/// stock is the cause of the faults of rapids. The sentence of a fault states the number of faults caused by it. Afterwards Fault::cause of the caused
 /// faults names the kind of their cause, and is "" for all others.
 void fold_causes(const Part& part, const CheckedProgram& program, const VerifyOptions& options,
                  std::vector<Fault>& faults);

@@ -218,9 +218,11 @@ class StateCheck {
   }
 
   Fault beyond_stock(const CheckedMove& checked, double below) const {
-    return fault(FaultKind::kBeyondStock, checked, below,
-                 (checked.feeds() ? "The cutter goes " : "A rapid goes ") + trimmed(below, 3) +
-                     " mm below the bottom of the stock, into what it lies on");
+    Fault found = fault(FaultKind::kBeyondStock, checked, below,
+                        (checked.feeds() ? "The cutter goes " : "A rapid goes ") + trimmed(below, 3) +
+                            " mm below the bottom of the stock, into what it lies on");
+    found.cause = kWrongStock;
+    return found;
   }
 
   /// Finds first cuts that follow a start of the spindle sooner than the machine needs.

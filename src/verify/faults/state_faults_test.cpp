@@ -253,6 +253,51 @@ TEST(Causes, AProgramOfTheOtherUnit) {
   EXPECT_FALSE(has(checked(pocket(), wide, table()), FaultKind::kUnits)) << "elsewhere, of the right size";
 }
 
+/// A program for a stock of x and y -20 to 20, z -5 to 0: it begins in the open on the left, and at two places from above.
+Toolpath begun_at_four_places() {
+  Writer writer;
+  for (const double y : {-8, 8}) writer.rapid({-24, y}, 10).rapid({-24, y}, -2).feed({15, y}).leave();
+  for (const double y : {0, 16}) writer.enter({-15, y}, 0, -4).feed({15, y}).leave();
+  return writer.done();
+}
+
+Findings begun_in(const Stock& stock, const Toolpath& toolpath = begun_at_four_places()) {
+  Part part = pocket();
+  part.is_shape_stated = false;
+  part.stock = stock;
+  return checked(part, toolpath, table());
+}
+
+struct WrongStock {
+  const char* what;
+  Stock stock;
+  FaultKind kind;
+  const char* says;
+};
+
+TEST(Causes, AWrongStockIsOneFault) {
+  EXPECT_TRUE(told_faults(begun_in({{{-20, -20}, {20, 20}}, -5, 0})).empty());
+  for (const WrongStock& wrong : std::vector<WrongStock>{
+           {"too high", {{{-20, -20}, {20, 20}}, -5, 8}, FaultKind::kRapidInMaterial, "z -5 to 1 in place of"},
+           {"lifted", {{{-20, -20}, {20, 20}}, 3, 8}, FaultKind::kRapidInMaterial, "z -4 to 1 in place of"},
+           {"too wide", {{{-40, -20}, {20, 20}}, -5, 0}, FaultKind::kRapidInMaterial, "x -21 to 20"},
+           {"both", {{{-40, -20}, {20, 20}}, -5, 8}, FaultKind::kRapidInMaterial, "x -21 to 20, y -20 to 20, z -5 to 1"},
+           {"too thin", {{{-20, -20}, {20, 20}}, -1, 0}, FaultKind::kBeyondStock, "Likewise"}}) {
+    const Findings findings = begun_in(wrong.stock);
+    ASSERT_EQ(told_faults(findings).size(), 1U) << wrong.what;
+    EXPECT_EQ(findings.faults.front().kind, wrong.kind) << wrong.what;
+    EXPECT_NE(first(findings).find(wrong.says), std::string::npos) << wrong.what << ": " << first(findings);
+  }
+}
+
+TEST(Causes, RapidsThroughTheMidstOfTheStockAreEachListed) {
+  Writer writer;
+  for (const double y : {-8, 0, 8})
+    writer.enter({-15, y}, 0, -2).feed({-5, y}).rapid({5, y}, -2).feed({15, y}).leave();
+  const Findings findings = begun_in({{{-20, -20}, {20, 20}}, -5, 0}, writer.done());
+  EXPECT_EQ(told_faults(findings).size(), 3U);
+}
+
 /// In the machine's coordinates, where these say where the work lies.
 TEST(Travel, CountsFromWhereTheWorkLies) {
   VerifyOptions options;
