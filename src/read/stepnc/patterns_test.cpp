@@ -58,10 +58,24 @@ TEST(StepNcPattern, CircularInRadians) {
       {{30, 40}, {50, 20}, {70, 40}});
 }
 
+/// Four increments of a quarter: the fifth member is the first once more.
+TEST(StepNcPattern, RadiansThatCloseOneTurnAreNoDegrees) {
+  for (const char* quarter : {"1.5707963267948966", "1.5708", "-1.57079"}) {
+    const Part part =
+        with_hole()
+            .feature("CIRCULAR_PATTERN('',#3,(),#50,#40," + std::string(quarter) + ",5,$,$,$,$)")
+            .read();
+    ASSERT_EQ(centres(part).size(), 4U) << quarter;
+    EXPECT_LT(distance(centres(part)[2], {70, 40}), 1e-3) << quarter;
+    EXPECT_THAT(all_diagnostics(part), HasSubstr("lies on its first"));
+  }
+}
+
 /// Four members by 3 would be more than once round in radians.
 TEST(StepNcPattern, SmallAnglesAreDegreesWhereRadiansWouldGoRoundTwice) {
   const Part part = with_hole().feature("CIRCULAR_PATTERN('',#3,(),#50,#40,3.,4,(),(),$,0.)").read();
   EXPECT_NEAR(centres(part)[1].y, 40 - 20 * std::sin(kPi / 60), 1e-9);
+  EXPECT_THAT(all_diagnostics(part), HasSubstr("read in degrees"));
 }
 
 TEST(StepNcPattern, CircularWithMissingAndRelocatedMembers) {

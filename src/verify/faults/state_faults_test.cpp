@@ -278,10 +278,16 @@ struct WrongStock {
 TEST(Causes, AWrongStockIsOneFault) {
   EXPECT_TRUE(told_faults(begun_in({{{-20, -20}, {20, 20}}, -5, 0})).empty());
   for (const WrongStock& wrong : std::vector<WrongStock>{
-           {"too high", {{{-20, -20}, {20, 20}}, -5, 8}, FaultKind::kRapidInMaterial, "z -5 to 1 in place of"},
+           {"too high",
+            {{{-20, -20}, {20, 20}}, -5, 8},
+            FaultKind::kRapidInMaterial,
+            "z -5 to 1 in place of"},
            {"lifted", {{{-20, -20}, {20, 20}}, 3, 8}, FaultKind::kRapidInMaterial, "z -4 to 1 in place of"},
            {"too wide", {{{-40, -20}, {20, 20}}, -5, 0}, FaultKind::kRapidInMaterial, "x -21 to 20"},
-           {"both", {{{-40, -20}, {20, 20}}, -5, 8}, FaultKind::kRapidInMaterial, "x -21 to 20, y -20 to 20, z -5 to 1"},
+           {"both",
+            {{{-40, -20}, {20, 20}}, -5, 8},
+            FaultKind::kRapidInMaterial,
+            "x -21 to 20, y -20 to 20, z -5 to 1"},
            {"too thin", {{{-20, -20}, {20, 20}}, -1, 0}, FaultKind::kBeyondStock, "Likewise"}}) {
     const Findings findings = begun_in(wrong.stock);
     ASSERT_EQ(told_faults(findings).size(), 1U) << wrong.what;

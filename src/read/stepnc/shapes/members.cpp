@@ -16,6 +16,7 @@ namespace {
 constexpr int kDeepestPattern = 8;            // patterns of patterns of compounds ...
 constexpr std::size_t kMostMembers = 10'000;  // of all patterns in one another
 constexpr double kSameTurn = 1e-9;            // radians
+constexpr double kRoundedStep = 5e-5;         // radians; of increments with few digits
 constexpr double kSameDiameter = 0.01;        // mm; of the circle of a pattern
 
 bool is_compound(const Node& node) {
@@ -115,6 +116,9 @@ class CircularPattern {
     const Frame base = on_circle(base_in);
     const int count = count_of(pattern_, 6, "number of features");
     const bool in_degrees = are_degrees(count);
+    if (in_degrees && !context_.degrees)
+      context_.warn("its angles are read in degrees: in radians its members would go round more than once",
+                    pattern_);
     const auto angle = [&](double value) { return in_degrees ? value * kPi / 180 : value; };
     const double step = angle(pattern_.needed_number(5, "angle increment"));
     const double spin = angle(pattern_.number(10).value_or(0));
@@ -127,6 +131,10 @@ class CircularPattern {
       angles[static_cast<std::size_t>(index.at(node, 1, count))] +=
           angle(node.needed_number(0, "angular offset"));
     std::set<int> omitted;
+    if (!in_degrees && closes_turn(count) && relocated.empty()) {
+      omitted.insert(count - 1);
+      context_.warn("its last member lies on its first, one turn on, and is made once", pattern_);
+    }
     for (const Node& node : missing) omitted.insert(index.at(node, 0, count));
     std::vector<Frame> result;
     for (int i = 0; i < count; ++i) {
@@ -139,8 +147,17 @@ class CircularPattern {
  private:
   /// Members that went round more than once in radians are meant in degrees.
   bool are_degrees(int count) const {
-    const double step = std::abs(pattern_.needed_number(5, "angle increment"));
-    return context_.degrees || (count - 1) * step > 2 * kPi - kSameTurn;
+    return context_.degrees || (turned_in_radians(count) > 2 * kPi - kSameTurn && !closes_turn(count));
+  }
+
+  /// Whether the last member comes to lie on the first: several increments that make one turn are no degrees.
+  bool closes_turn(int count) const {
+    return count > 2 && std::abs(turned_in_radians(count) - 2 * kPi) <= (count - 1) * kRoundedStep;
+  }
+
+  /// From the first member to the last.
+  double turned_in_radians(int count) const {
+    return (count - 1) * std::abs(pattern_.needed_number(5, "angle increment"));
   }
 
   /// The base as the standard has it lies on the circle. Some writers place it in the pattern's frame, or at the centre.
