@@ -170,6 +170,17 @@ std::vector<std::string> proposed(const std::string& message) {
   return sides;
 }
 
+/// A block with a pocket in its smallest face, which looks along Y after a quarter turn.
+TEST(SteppedSolids, ASmallSideWithTheOnlyFloorIsProposed) {
+  SKIP_WITHOUT_OPEN_CASCADE();
+  const std::string block =
+      step_text({{0, 3, 9, 12}, {0, 5, 35, 40}, {{50, 50, 50}, {50, 44, 50}, {50, 50, 50}}});
+  const std::string message = refusal(turned(block, 1, 90));
+  const std::vector<std::string> sides = proposed(message);
+  ASSERT_EQ(sides.size(), 1U) << message;
+  EXPECT_EQ(sides[0].back(), 'Y') << message;
+}
+
 /// Sheets with a notch in their edge, without one, and with steps, as they lie and turned: no side is proposed in vain.
 TEST(SteppedSolids, SidesThatAreProposedForASheetAreMilled) {
   SKIP_WITHOUT_OPEN_CASCADE();

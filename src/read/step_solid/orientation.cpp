@@ -16,8 +16,8 @@ namespace {
 
 /// Height and length over thickness from which on a sheet on its edge counts as a mistake.
 constexpr double kSheet = 5;
-/// Sides tried for a proposal: each costs the kernel's reading anew.
-constexpr int kMostTries = 3;
+/// Sides tried for a proposal, as many as a box has beside its top: each costs the kernel's reading anew.
+constexpr int kMostTries = 5;
 /// Bodies named one by one before the rest is counted.
 constexpr std::size_t kMostBodies = 12;
 

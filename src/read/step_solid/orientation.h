@@ -23,7 +23,7 @@ void refuse_sheet_on_edge(const SolidModel& solid, const std::string& file_name,
 ///         floors do not count. Not to be called if the user stated the side up.
 void refuse_askew(const SolidModel& solid, const std::string& file_name);
 
-/// Throws  InputError proposing the largest flat side with something to mill, by trying the largest three with
+/// Throws  InputError proposing the largest flat side with something to mill, by trying the largest five with
 ///         `offers`; the message states if none has. `why`: the lack with this side up.
 [[noreturn]] void refuse_without_floor(const SolidModel& solid, const std::string& file_name,
                                        const std::string& up, const std::string& why,

@@ -131,6 +131,13 @@ TEST(StepNcSetups, EachHasItsStepsAndItsAxes) {
   EXPECT_THAT(open_conditions_of(program.read()), ElementsAre(HasSubstr("cut in 2 set-ups")));
 }
 
+TEST(StepNcSetups, ThatAreNotThereAreRefused) {
+  SetupPlace place;
+  for (const int number : {-1, 2, 1000})
+    EXPECT_THROW(read_setup(Program().text(), "t.p21", {}, number, place), InputError) << number;
+  EXPECT_NO_THROW(read_setup(Program().text(), "t.p21", {}, 1, place));
+}
+
 /// What an earlier set-up has cut away over a feature is not known when the file is read.
 TEST(StepNcSetups, ALaterOneMayBeginLowerThanTheBlock) {
   Program program = two_pockets("#70,#71");

@@ -153,6 +153,9 @@ Program read_program(Context& context, int number) {
   find_workpiece(program, order.steps);
   const std::vector<SetupOfStep> divided = divide(std::move(order.steps), program);
   choose_axes(program.setups);
+  if (number < 0 || number > static_cast<int>(program.setups.size()))
+    throw InputError(context.file.name, "it has no set-up " + std::to_string(number) + ", but " +
+                                            std::to_string(program.setups.size()));
   if (number > 0) program.setup = static_cast<std::size_t>(number - 1);
   for (const SetupOfStep& one : divided) {
     if (number == 0 || one.setup == program.setup)
