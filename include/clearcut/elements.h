@@ -9,7 +9,7 @@
 #include "clearcut/plan.h"
 #include "clearcut/text.h"
 #include "model/design_element.h"
-#include "model/results/elements_result.h"
+#include "model/runs/elements_result.h"
 #include "options/element_options.h"
 
 namespace clearcut {

@@ -9,7 +9,7 @@
 
 #include "clearcut/plan.h"
 #include "model/program.h"
-#include "model/results/check_result.h"
+#include "model/runs/check_result.h"
 #include "options/program_question.h"
 
 namespace clearcut {

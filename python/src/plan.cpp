@@ -253,7 +253,7 @@ void add_checked(py::class_<Class>& checked) {
       .def(
           "certificate_text",
           [](const Class& self, const std::string& name) { return certificate_of(self, name); },
-          py::arg("program_name") = "", doc("certificate_json"))
+          py::arg("program_name") = "", doc("write_certificate"))
       .def(
           "certificate",
           [](const Class& self, const std::string& name) { return as_dict(certificate_of(self, name)); },

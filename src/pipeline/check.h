@@ -8,10 +8,10 @@
 #include "model/control.h"
 #include "model/move.h"
 #include "model/part.h"
-#include "model/results/check_result.h"
 #include "model/results/copies_made.h"
 #include "model/results/findings.h"
 #include "model/results/margin.h"
+#include "model/runs/check_result.h"
 #include "read/gcode/program/dialect.h"
 #include "resolve/values/plan_options.h"
 

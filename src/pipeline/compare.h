@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "kinematics/kinematics.h"
-#include "model/results/comparison.h"
 #include "model/results/findings.h"
+#include "model/runs/comparison.h"
 #include "report/words/text_table.h"
 #include "resolve/values/plan_options.h"
 

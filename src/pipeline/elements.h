@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "model/design_element.h"
-#include "model/results/elements_result.h"
+#include "model/runs/elements_result.h"
 #include "pipeline/steps/certify.h"
 #include "report/picture/grid_picture.h"
 #include "report/words/text_table.h"

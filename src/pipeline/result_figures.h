@@ -9,9 +9,9 @@
 #include "model/control.h"
 #include "model/move.h"
 #include "model/options/resolved_plan.h"
-#include "model/results/check_result.h"
 #include "model/results/findings.h"
 #include "model/results/margin.h"
+#include "model/runs/check_result.h"
 #include "report/result.h"
 #include "resolve/values/plan_options.h"
 

@@ -7,7 +7,7 @@
 
 #include "model/design_element.h"
 #include "model/move.h"
-#include "model/results/elements_result.h"
+#include "model/runs/elements_result.h"
 #include "report/words/text_table.h"
 
 namespace clearcut::report {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "model/design_element.h"
-#include "model/results/plan_result.h"
+#include "model/runs/plan_result.h"
 
 namespace clearcut::inline model {
 
