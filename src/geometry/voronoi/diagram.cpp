@@ -40,16 +40,21 @@ class Maker {
   const Grid& grid() const { return out_.sites.grid; }
 
   void build() {
-    VoronoiBuilder builder;
     const LatticePoint away = distance_from_axes();
-    for (const Segment& s : out_.sites.segments) {
-      builder.insert_segment(s.from.x + away.x, s.from.y + away.y, s.to.x + away.x, s.to.y + away.y);
-    }
     BoostDiagram diagram;
-    builder.construct(&diagram);
+    construct(away, diagram);
     copy_nodes(diagram, away);
     copy_edges(diagram);
     copy_cells(diagram);
+  }
+
+  /// The builder and its list of events are gone before anything is copied.
+  void construct(LatticePoint away, BoostDiagram& diagram) const {
+    VoronoiBuilder builder;
+    for (const Segment& s : out_.sites.segments) {
+      builder.insert_segment(s.from.x + away.x, s.from.y + away.y, s.to.x + away.x, s.to.y + away.y);
+    }
+    builder.construct(&diagram);
   }
 
   /// Moves the sites as far from both axes as they extend: the builder's decisions by relative errors are then alike

@@ -115,6 +115,10 @@ class Builder {
     std::vector<Loop> loops{simplified(region.outer(), simplify)};
     for (const Loop& island : region.islands()) loops.push_back(simplified(island, simplify));
     collect_corners(loops);
+    std::size_t edges = 0;
+    for (const Loop& loop : loops) edges += loop.size();
+    sites_.elements.reserve(sites_.elements.size() + edges);
+    sites_.segments.reserve(edges);
     for (const Loop& loop : loops) add_loop(loop);
   }
 
