@@ -65,6 +65,7 @@ struct LayerPasses {
   bool outside_in = false;    ///< rings come before the rings inside them
   std::optional<Vec2> start;  ///< point at which cutting should begin, or the nearest one of the first pass
   std::string strategy;       ///< name of the strategy that ran
+  std::vector<Remark> remarks;
 };
 
 struct Layer {

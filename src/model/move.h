@@ -54,6 +54,14 @@ struct Move {
   double length() const;
 };
 
+/// How the passes of a feature depart from what was asked for, or what they leave by the rule that was asked for.
+struct Remark {
+  std::string title;  ///< a few words, in capitals: for the program's header
+  std::string text;   ///< one sentence, without the feature's name
+
+  bool operator==(const Remark&) const = default;
+};
+
 /// The cutter stands still.
 struct Dwell {
   std::size_t after = 0;  ///< index into Section::moves
@@ -70,6 +78,7 @@ struct Section {
   Coolant coolant = Coolant::kOff;
   std::vector<Move> moves;           ///< joined end to start; the first may begin anywhere
   std::vector<std::string> notes{};  ///< requests that could not be fulfilled; not part of the program
+  std::vector<Remark> remarks{};     ///< on the passes; said in the program's header
   /// For cuts of an earlier set-up, seen in a later one: height (mm) below which none of their cleared volume
   /// remains. Such cuts count for features that begin no higher; infinite if nothing of the cut remains at any
   /// height. Absent for all other cuts; not part of the program.

@@ -465,6 +465,8 @@ void report_notes(const Selection& selection, const std::vector<StepWork>& works
     }
     const Section& section = selection.section(i);
     for (const auto& text : section.notes) part.diagnostics.note(section.label, text);
+    for (const Remark& remark : section.remarks)
+      part.diagnostics.note(feature_of(part, part.workplan[i]).name, remark.text);
   }
 }
 

@@ -28,8 +28,8 @@ constexpr double kLengthRadius = 4, kLengthStep = 7.2;
 constexpr double kCuttingSpeed = 36.6;  // m/min
 /// mm: from this radius on the printed times of all methods are equal.
 constexpr double kSameForAll = 10;
-/// mm/min; one feed for all cutters each, about the one that fits the printed times.
-constexpr std::array<double, 4> kTrendFeeds{40, 83, 160, 320};
+/// One feed for all cutters each, as multiples of the one that fits the printed times.
+constexpr std::array<double, 4> kTrendFeeds{0.5, 1, 2, 4};
 /// Length of a circle over the way along a bisector from contour to contour, half as wide as which it is.
 constexpr double kCircleOverSegment = kPi / 2;
 /// Degrees of the star's tips.
@@ -152,6 +152,15 @@ FittedFeed fitted_feed(const Region& polygon) {
   return fit;
 }
 
+/// What the printed times of table 3 follow, and how well.
+std::string law_of_times(const FittedFeed& fit) {
+  return fmt::format(
+      "the printed times follow one feed for all cutters, V_f = {:.0f} mm/min as fitted to "
+      "rho's: relative residual {:.0f} % "
+      "(root of the mean square), at most {:.0f} %",
+      fit.mm_per_min, 100 * fit.rms, 100 * fit.greatest);
+}
+
 /// "NO" where the certificate finds a fault.
 Cell minutes_beside(const std::optional<CutterWay>& way, double feed, double printed) {
   if (!way)
@@ -241,12 +250,10 @@ Reproduction cutter_comparison() {
                 beside_print("loops", row.loops), beside_print("contour", 0)});
   }
   table.notes.push_back(
-      fmt::format("the printed times follow one feed for all cutters, V_f = {:.0f} mm/min as fitted to "
-                  "rho's: relative residual {:.0f} % "
-                  "(root of the mean square), at most {:.0f} %; by the printed V_c = {} m/min and one feed a "
+      fmt::format("{}; by the printed V_c = {} m/min and one feed a "
                   "tooth V_f would go as 1/R, and the "
                   "times of all cutters be nearly the same",
-                  fit.mm_per_min, 100 * fit.rms, 100 * fit.greatest, kCuttingSpeed));
+                  law_of_times(fit), kCuttingSpeed));
   table.notes.emplace_back(
       "their outline is not printed, the polygon is ours with their smallest angle, 30 degrees; the cutter "
       "as wide as the polygon "
@@ -260,6 +267,7 @@ Reproduction cutter_comparison() {
 
 Reproduction cutter_trend() {
   const Region polygon = inscribed_polygon({});
+  const FittedFeed fit = fitted_feed(polygon);
   Reproduction result;
   result.table.title =
       "CPO-rho table 3, its trend: the cutters (R mm) for which rho is faster than the rivals";
@@ -274,19 +282,21 @@ Reproduction cutter_trend() {
   };
   const std::string bisectors = "4 5 6 7 8 9", loops = "6 7 8 9";
   std::string reproduced;  // feeds at which the whole trend comes out
-  for (const double feed : kTrendFeeds) {
+  for (const double share : kTrendFeeds) {
+    const double feed = share * fit.mm_per_min;
     const std::string over_bisectors = radii_where_rho_wins(polygon, "bisectors", feed);
     const std::string over_loops = radii_where_rho_wins(polygon, "loops", feed);
-    result.add({fmt::format("{:g}", feed), bisectors,
+    result.add({fmt::format("{:.0f}", feed), bisectors,
                 checked(over_bisectors, bisectors, "the outline is not printed"), loops,
                 checked(over_loops, loops,
                         "our loops are no longer than the rests ask for: they beat rho at every feed")});
     if (over_bisectors == bisectors && over_loops == loops)
-      reproduced += fmt::format("{}{:g}", reproduced.empty() ? "" : ", ", feed);
+      reproduced += fmt::format("{}{:.0f}", reproduced.empty() ? "" : ", ", feed);
   }
   result.table.notes.push_back(reproduced.empty()
                                    ? "the printed trend comes out whole at none of these feeds"
                                    : "the printed trend comes out whole at " + reproduced + " mm/min");
+  result.table.notes.push_back(law_of_times(fit) + "; the other feeds are half, twice and four times it");
   result.table.notes.push_back("cutters of 10 mm and more take the same time by all three in print");
   return result;
 }

@@ -349,6 +349,25 @@ TEST(Reproduction, KappasPathIsTheShortestOfThree) {
   }
 }
 
+/// "V_f = 88 mm/min as fitted ... at most 39 %" of the notes below a table.
+std::string law_in(const Reproduction& table) {
+  const std::regex law(
+      "V_f = ([0-9]+) mm/min as fitted to rho's: relative residual [0-9]+ % [(][^)]*[)], at most [0-9]+ %");
+  std::smatch found;
+  for (const std::string& note : table.table.notes)
+    if (std::regex_search(note, found, law)) return found[0];
+  return "";
+}
+
+/// CPO-rho table 3 and its trend have one fitted feed, with its residual; the trend's second row is by it.
+TEST(Reproduction, TableThreeAndItsTrendAreByOneFittedFeed) {
+  const Reproduction &cutters = made(reproducible_table("cutters")),
+                     &trend = made(reproducible_table("cutter-trend"));
+  EXPECT_NE(law_in(cutters), "");
+  EXPECT_EQ(law_in(trend), law_in(cutters));
+  EXPECT_TRUE(law_in(trend).starts_with("V_f = " + trend.table.rows.at(1).at(0) + " mm/min"));
+}
+
 TEST(Texts, CheapTablesComeFirst) {
   double before = 0;
   for (const auto& table : reproducible_tables()) {

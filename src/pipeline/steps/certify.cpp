@@ -115,6 +115,18 @@ std::vector<std::string> tool_lines(const Part& part, const Toolpath& toolpath, 
   return lines;
 }
 
+/// One line for each title of a remark and feature.
+std::vector<std::string> remark_lines(const Toolpath& toolpath) {
+  std::vector<std::string> lines;
+  for (const Section& section : toolpath.sections) {
+    for (const Remark& remark : section.remarks) {
+      std::string line = remark.title + ": " + section.label;
+      if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(std::move(line));
+    }
+  }
+  return lines;
+}
+
 std::vector<std::string> header(const Part& part, const Toolpath& toolpath, const Findings* findings,
                                 const std::string& motion_hash, bool inch) {
   const Lengths lengths{inch};
@@ -123,6 +135,7 @@ std::vector<std::string> header(const Part& part, const Toolpath& toolpath, cons
   lines.push_back(fmt::format("WRITTEN BY CLEARCUT {}", kVersion));
   for (auto& line : verdict_lines(findings, motion_hash, lengths)) lines.push_back(std::move(line));
   for (const auto& name : names_not_machined(part.diagnostics)) lines.push_back("NOT MACHINED: " + name);
+  for (auto& line : remark_lines(toolpath)) lines.push_back(std::move(line));
   return lines;
 }
 
@@ -243,6 +256,20 @@ std::vector<double> contour_levels(const std::vector<LayerPasses>& layers) {
   return levels;
 }
 
+namespace {
+
+/// Each remark once, in the order of the layers.
+std::vector<Remark> remarks_on(const std::vector<LayerPasses>& layers) {
+  std::vector<Remark> remarks;
+  for (const LayerPasses& layer : layers) {
+    for (const Remark& remark : layer.remarks)
+      if (std::find(remarks.begin(), remarks.end(), remark) == remarks.end()) remarks.push_back(remark);
+  }
+  return remarks;
+}
+
+}  // namespace
+
 Section link_step(const std::vector<LayerPasses>& passes, int workingstep, EntryKind entry,
                   const ResolvedPlan& plan) {
   const link::LinkOptions options = link_options(plan, workingstep, entry);
@@ -256,6 +283,7 @@ Section link_step(const std::vector<LayerPasses>& passes, int workingstep, Entry
   }
   describe(section, workingstep, plan);
   section.contours = contour_levels(passes);
+  section.remarks = remarks_on(passes);
   return section;
 }
 

@@ -1,4 +1,5 @@
 // Published grids leave rims, and what is cut below them plans on these.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,14 +17,23 @@ double count(const PlanResult& result, FaultKind kind) {
       std::count_if(faults.begin(), faults.end(), [&](const Fault& fault) { return fault.kind == kind; }));
 }
 
-PlanResult planned(bool published) {
-  // The last column of points of the wide pocket stands at x 45: beyond x 50 all of it stays. The deep pocket has a column at x 51.
+/// The last column of points of the wide pocket stands at x 45: beyond x 50 all of it stays. The deep pocket has a column at x 51.
+Part plates() {
+  return drawn(box("POCKET_D4", 0, 0, 57, 43) + box("POCKET_D8", 36, 10, 56, 33));
+}
+
+PlanOptions mill() {
   PlanOptions options = with({"endmill:10"});
+  options.stepdown = 2;
+  return options;
+}
+
+PlanResult planned(bool published) {
+  PlanOptions options = mill();
   options.strategy = "tour";
   options.stepover = "1";
-  options.stepdown = 2;
   options.published.published_grid = published;
-  return plan_part(drawn(box("POCKET_D4", 0, 0, 57, 43) + box("POCKET_D8", 36, 10, 56, 33)), options);
+  return plan_part(plates(), options);
 }
 
 /// What stands below a rim is taken in layers, from where the rim stands.
@@ -33,6 +43,28 @@ TEST(PublishedGridPlan, NoPassTakesMoreThanItsLayer) {
   EXPECT_LE(result.findings.all.max_axial_mm, 2 + 1e-6);
   EXPECT_GT(count(result, FaultKind::kUncut), 0) << "the rim is the rule's, and is said";
   EXPECT_EQ(count(result, FaultKind::kRapidInMaterial), 0);
+}
+
+/// Whoever reads the plan or its program knows which rule leaves the rim, and a second program cuts it in layers.
+TEST(PublishedGridPlan, TheRimIsSaidToBeTheRulesAndIsCutByAProgramAfterIt) {
+  const PlanResult first = planned(true);
+  const auto& said = first.part.diagnostics.items();
+  EXPECT_EQ(
+      std::count_if(said.begin(), said.end(),
+                    [](const Diagnostic& one) {
+                      return one.what.find(
+                                 "left by the rule of the published grid (Tour eq. 4.8): points 10 mm") !=
+                             std::string::npos;
+                    }),
+      2);
+  EXPECT_THAT(first.program, ::testing::HasSubstr("(RIM OF THE PUBLISHED GRID: POCKET_D4"));
+  EXPECT_THAT(planned(false).program, ::testing::Not(::testing::HasSubstr("RIM OF")));
+
+  PlanOptions rest = mill();
+  rest.earlier = first.toolpath;
+  const PlanResult after = plan_part(plates(), rest);
+  EXPECT_TRUE(after.findings.faults.empty()) << verdict_and_reasons(after.findings);
+  EXPECT_LE(after.findings.all.max_axial_mm, 2 + 1e-6);
 }
 
 /// Grids that leave nothing are counted on: the deep pocket begins at the floor of the wide one.

@@ -449,6 +449,32 @@ bool leaves_nothing(const LayerPasses& passes, double tool_radius) {
                          [&](Vec2 p) { return legal.contains(p) && contains(passes.target, p); });
 }
 
+namespace {
+
+/// Share of the tool radius: distance between samples of a target's border.
+constexpr double kBorderPitch = 0.1;
+
+}  // namespace
+
+bool leaves_border(const LayerPasses& passes, double tool_radius, double reach) {
+  std::vector<Edge> edges;
+  for (const auto& pass : passes.passes) edges.insert(edges.end(), pass.path.begin(), pass.path.end());
+  const Cover cover(edges, tool_radius + kBorderResidual);
+  const LegalArea legal(passes.legal);
+  const auto is_left = [&](Vec2 p) {
+    return !cover.holds(p) && (legal.contains(p) || legal.is_near_boundary(p, reach));
+  };
+  for (const auto& region : passes.target) {
+    for (const Edge& edge : region.edges()) {
+      const int samples = 1 + static_cast<int>(edge.length() / (kBorderPitch * tool_radius));
+      for (int i = 0; i < samples; ++i) {
+        if (is_left(edge.at((i + 0.5) / samples))) return true;
+      }
+    }
+  }
+  return false;
+}
+
 // Computes the lines and circles of which rims of holes in a cover may consist.
 
 /// The box of the circle's arc within the wedge.

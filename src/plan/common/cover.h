@@ -127,4 +127,11 @@ class Cover {
 /// the swept area.
 bool leaves_nothing(const LayerPasses& passes, double tool_radius);
 
+/// mm. Residual permitted at the border of a target.
+inline constexpr double kBorderResidual = 0.005;
+
+/// Whether the passes leave a part of the target's border up to `reach` mm from the legal area of the cutter's centre, by samples a tenth
+/// of the tool radius (mm) apart. Walls are a tool radius from that area, open sides are nearer or in it.
+bool leaves_border(const LayerPasses& passes, double tool_radius, double reach);
+
 }  // namespace clearcut::plan

@@ -12,6 +12,8 @@
 // 2), splits and islands need no rule of their own. docs/contour.md lists the departures.
 #include "plan/contour/contour.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <memory>
 
@@ -43,10 +45,6 @@ constexpr double kBareMargin = 0.002;
 /// alone is none. At these shares of its length, which no outline has for a reason.
 constexpr double kOpenDistance = 1e-3;
 constexpr double kPlacesOnEdge[] = {0.23, 0.5, 0.71};
-
-/// mm. Residual permitted at the border of a face. Share of the tool radius: distance between samples of this border.
-constexpr double kArmResidual = 0.005;
-constexpr double kBorderPitch = 0.1;
 
 bool on_wall(Vec2 p, const Regions& allowed) {
   return std::any_of(allowed.begin(), allowed.end(),
@@ -221,27 +219,6 @@ bool leaves_nothing(const ContourOptions& options) {
 LayerPasses plan_inside_out(const Layer& layer, const ContourOptions& options, FaceRing face_ring,
                             const Tolerances& tol);
 
-/// Whether the passes leave a part of the border of a target with open sides although the cutter could clear it.
-bool leaves_border(const Layer& layer, const LayerPasses& planned) {
-  std::vector<Edge> edges;
-  for (const auto& pass : planned.passes) edges.insert(edges.end(), pass.path.begin(), pass.path.end());
-  const Cover cover(edges, layer.tool_radius + kArmResidual);
-  const LegalArea legal(planned.legal);
-  const auto is_left = [&](Vec2 p) {
-    return !cover.holds(p) &&
-           (legal.contains(p) || legal.is_near_boundary(p, layer.tool_radius - kArmResidual));
-  };
-  for (const auto& region : layer.target) {
-    for (const Edge& edge : region.edges()) {
-      const int samples = 1 + static_cast<int>(edge.length() / (kBorderPitch * layer.tool_radius));
-      for (int i = 0; i < samples; ++i) {
-        if (is_left(edge.at((i + 0.5) / samples))) return true;
-      }
-    }
-  }
-  return false;
-}
-
 }  // namespace
 
 LayerPasses plan_contour(const Layer& layer, const ContourOptions& options, const Tolerances& tol) {
@@ -252,7 +229,7 @@ LayerPasses plan_contour(const Layer& layer, const ContourOptions& options, cons
   LayerPasses result =
       plan_inside_out(layer, inside_out, is_from_walls ? FaceRing::kFromWalls : FaceRing::kInside, tol);
   const bool clears = !is_from_walls && options.residuals == ResidualRule::kOurs && !closed_all_round(layer);
-  if (clears && leaves_border(layer, result))
+  if (clears && leaves_border(result, layer.tool_radius, layer.tool_radius - kBorderResidual))
     result = plan_inside_out(layer, inside_out, FaceRing::kOnEdge, tol);
   result.outside_in = options.outside_in;
   result.start = options.start;
@@ -265,6 +242,26 @@ LayerPasses plan_contour(const Layer& layer, const ContourOptions& options, cons
 }
 
 namespace {
+
+/// Whether contours that were to keep reflex corners are round at one of them.
+bool rounds_reflex_corners(const Layer& layer, const std::vector<Domain>& domains,
+                           const std::vector<bool>& with_corners) {
+  if (!closed_all_round(layer))
+    return std::any_of(layer.allowed.begin(), layer.allowed.end(), has_reflex_corner);
+  for (std::size_t i = 0; i < domains.size(); ++i)
+    if (!with_corners[i] && has_reflex_corner(domains[i].region)) return true;
+  return false;
+}
+
+Remark rounded_corners(const Layer& layer, const std::vector<Domain>& domains) {
+  const bool has_an_arc = std::any_of(domains.begin(), domains.end(),
+                                      [](const Domain& domain) { return has_arcs(domain.region); });
+  const char* const why = !closed_all_round(layer) ? "the outline has open sides"
+                          : has_an_arc             ? "the outline has arcs"
+                                                   : "with corners they are not proven to leave nothing";
+  return {"ROUND AT REFLEX CORNERS",
+          fmt::format("contours are round at reflex corners, which were to stay corners: {}", why)};
+}
 
 LayerPasses plan_inside_out(const Layer& layer, const ContourOptions& options, FaceRing face_ring,
                             const Tolerances& tol) {
@@ -298,7 +295,10 @@ LayerPasses plan_inside_out(const Layer& layer, const ContourOptions& options, F
   }
   result.legal = legal_area(layer, domains, job.first_level, tol);
   job.fit_lines = fit_lines_of(domains, job);
-  result.passes = ring_passes(domains, job, tol);
+  RingPasses rings = ring_passes(domains, job, tol);
+  result.passes = std::move(rings.passes);
+  if (options.sharp_reflex && rounds_reflex_corners(layer, domains, rings.with_corners))
+    result.remarks.push_back(rounded_corners(layer, domains));
   result.residual = bare ? 0 : kRingResidual;
   for (const auto& pass : result.passes) {
     if (!pass.closed && pass.parent < 0) result.fit_lines.push_back(pass.path);

@@ -122,6 +122,38 @@ std::size_t corners_with_arcs(const LayerPasses& planned, Vec2 reflex) {
   return arcs;
 }
 
+ContourOptions sharp_rho_corrected() {
+  ContourOptions options;
+  options.step = parse_step_rule("rho-corrected");
+  options.residuals = ResidualRule::kNone;
+  options.effort = 0;
+  options.sharp_reflex = true;
+  return options;
+}
+
+/// Contours that were to keep reflex corners and do not say so, and why.
+TEST(ReflexCorners, ThatAreRoundInPlaceOfKeptAreSaid) {
+  const Layer unproven = pocket_of(closed_by_compass_rule(traced(star())), 8);
+  const std::vector<Vec2> points{{0, 0}, {120, 0}, {120, 40}, {60, 40}, {60, 90}, {0, 90}};
+  Loop angle = loop_from_points(points);
+  angle[0] = Edge::arc({0, 0}, {120, 0}, {60, 80}, Turn::kCounterClockwise);
+  const Layer with_arc = pocket_of(angle, 4);
+  const std::vector<Vec2> farther{{-900, 0}, {120, 0}, {120, 40}, {60, 40}, {60, 90}, {-900, 90}};
+  Layer open = pocket_of(loop_from_points(points), 4);
+  open.allowed = {Region::from_valid_loops(loop_from_points(farther), {})};
+  const std::pair<const Layer*, const char*> rows[] = {
+      {&unproven, "not proven to leave nothing"}, {&with_arc, "has arcs"}, {&open, "has open sides"}};
+  for (const auto& [layer, why] : rows) {
+    const auto remarks = plan_contour(*layer, sharp_rho_corrected(), {}).remarks;
+    ASSERT_EQ(remarks.size(), 1U) << why;
+    EXPECT_EQ(remarks[0].title, "ROUND AT REFLEX CORNERS");
+    EXPECT_NE(remarks[0].text.find(why), std::string::npos) << remarks[0].text;
+  }
+  const std::vector<Vec2> plate{{0, 0}, {120, 0}, {120, 40}, {0, 40}};
+  const Layer convex = pocket_of(loop_from_points(plate), 4);
+  EXPECT_TRUE(plan_contour(convex, sharp_rho_corrected(), {}).remarks.empty());
+}
+
 /// By every method contours are round about the reflex corner of an angle, or keep it; what clears everything does so.
 TEST(ReflexCorners, AreRoundOrKeptByEveryMethod) {
   const Vec2 reflex{60, 40};
@@ -137,6 +169,7 @@ TEST(ReflexCorners, AreRoundOrKeptByEveryMethod) {
       const LayerPasses planned = plan_contour(layer, options, {});
       EXPECT_EQ(corners_with_arcs(planned, reflex) > 0, !sharp) << method.step;
       EXPECT_TRUE(!method.clears || leaves_nothing(planned, layer.tool_radius)) << method.step;
+      EXPECT_TRUE(planned.remarks.empty()) << method.step;
     }
   }
 }

@@ -92,17 +92,19 @@ class PassBuilder {
  public:
   PassBuilder(const RingJob& job, const Tolerances& tol) : job_(job), tol_(tol) {}
 
-  void add_domain(const Domain& domain) {
+  /// Whether the domain's contours keep its corners.
+  bool add_domain(const Domain& domain) {
     const std::size_t before = passes_.size();
     const int components_before = components_;
     if (keeps_corners(domain, job_)) {
       add_contours(domain, mitred_ring_tree(domain.region, job_.first_level, job_.sharp_step, tol_));
-      if (!job_.leaves_nothing || mend_rings(before, domain)) return;
+      if (!job_.leaves_nothing || mend_rings(before, domain)) return true;
       passes_.resize(before);
       boxes_.resize(std::min(boxes_.size(), before));
       components_ = components_before;
     }
     add_contours(domain, ring_tree(domain.clearance, domain.region, job_.first_level, job_.step, tol_));
+    return false;
   }
 
   void add_fit_lines() {
@@ -385,11 +387,13 @@ std::vector<Path> fit_lines_of(const std::vector<Domain>& domains, const RingJob
   return lines;
 }
 
-std::vector<Pass> ring_passes(const std::vector<Domain>& domains, const RingJob& job, const Tolerances& tol) {
+RingPasses ring_passes(const std::vector<Domain>& domains, const RingJob& job, const Tolerances& tol) {
+  RingPasses made;
   PassBuilder builder(job, tol);
-  for (const auto& domain : domains) builder.add_domain(domain);
+  for (const auto& domain : domains) made.with_corners.push_back(builder.add_domain(domain));
   builder.add_fit_lines();
-  return builder.take_passes();
+  made.passes = builder.take_passes();
+  return made;
 }
 
 }  // namespace clearcut::plan::contour

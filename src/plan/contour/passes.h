@@ -37,10 +37,16 @@ bool keeps_corners(const Domain& domain, const RingJob& job);
 /// Lines on which the cutter just fits in the domains at job.first_level.
 std::vector<Path> fit_lines_of(const std::vector<Domain>& domains, const RingJob& job);
 
+struct RingPasses {
+  std::vector<Pass> passes;
+  /// Of each domain: whether its contours keep reflex corners. Those that were to leave nothing but do are rounded.
+  std::vector<bool> with_corners;
+};
+
 /// The passes of all domains: rings, each after the ring around it, with detours into corners in which they would
 /// leave material; then passes along ridges of the medial axis; then lines on which the cutter just fits. Components
 /// have the same numbers for any step.
-std::vector<Pass> ring_passes(const std::vector<Domain>& domains, const RingJob& job, const Tolerances& tol);
+RingPasses ring_passes(const std::vector<Domain>& domains, const RingJob& job, const Tolerances& tol);
 
 /// Replaces the passes of each component of `result` by one continuous path if this path is proven to clear
 /// everything and is faster. `job`: the settings with which the passes were made.

@@ -228,7 +228,7 @@ void shorten_passes(const std::vector<Domain>& domains, RingJob job, const Layer
     own.step = [&, k](const RingNode&, const std::vector<AxisPiece>&) {
       return 2 * job.radius * (large ? kLargeStep : kVariants[k].step);
     };
-    variants[k] = ring_passes(domains, own, tol);
+    variants[k] = ring_passes(domains, own, tol).passes;
   });
   double residual = 0;
   int components = 0;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "geometry/edge.h"
 #include "geometry/route/legal_paths.h"
 #include "geometry/voronoi/clearance.h"
@@ -412,6 +413,27 @@ TourGridOptions parse_tour_grid(const std::string& text) {
   return options;
 }
 
+namespace {
+
+/// Whether the passes leave something in reach, at walls too.
+bool leaves_something(const LayerPasses& passes, double tool_radius) {
+  return !passes.passes.empty() && (leaves_border(passes, tool_radius, tool_radius + kBorderResidual) ||
+                                    !leaves_nothing(passes, tool_radius));
+}
+
+/// The published grid begins in one corner, is not stretched, and has no passes along walls (Tour 4.2.4).
+Remark rest_of_rule(double pitch) {
+  return {"RIM OF THE PUBLISHED GRID",
+          fmt::format(
+              "what stays here is left by the rule of the published grid (Tour eq. 4.8): points {} mm apart "
+              "from one "
+              "corner on, and no pass along walls; plan once more with --after this program to cut it, or "
+              "leave --grid out",
+              trimmed(pitch, 3))};
+}
+
+}  // namespace
+
 LayerPasses plan_tour(const Layer& layer, const TourGridOptions& options, const TourSolver& solve,
                       const Tolerances& tol) {
   auto area = clearing_area(layer, tol);
@@ -434,6 +456,8 @@ LayerPasses plan_tour(const Layer& layer, const TourGridOptions& options, const 
     pass.component = static_cast<int>(i);
     result.passes.push_back(std::move(pass));
   }
+  if (options.published && leaves_something(result, layer.tool_radius))
+    result.remarks.push_back(rest_of_rule(work.pitch()));
   return result;
 }
 

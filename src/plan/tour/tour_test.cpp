@@ -113,6 +113,12 @@ TEST(PlanTour, ThePublishedGridLeavesARim) {
   EXPECT_EQ(passes.passes[0].path.front().from, (Vec2{5, 5}));
   const Cover cover(passes.passes[0].path, layer.tool_radius);
   EXPECT_FALSE(cover.holds({54, 20}));
+  ASSERT_EQ(passes.remarks.size(), 1u);
+  EXPECT_EQ(passes.remarks[0].title, "RIM OF THE PUBLISHED GRID");
+  // A rim along one wall alone.
+  EXPECT_EQ(plan_tour(layer_of({rectangle(0, 0, 20, 23)}, 5), options, in_order, {}).remarks.size(), 1u);
+  // Two columns of a pocket twice as wide as the cutter leave nothing.
+  EXPECT_TRUE(plan_tour(layer_of({rectangle(0, 0, 20, 10)}, 5), options, in_order, {}).remarks.empty());
 }
 
 /// An open side reaches a metre out of the part; the grid does not, 7.6.
