@@ -151,6 +151,17 @@ TEST(SvgClip, WhatIsNotReadCountsInTheVerdict) {
               HasSubstr("1 elements have a mask"));
 }
 
+TEST(SvgClip, FiltersAreNotAppliedAndSaid) {
+  const Part part = read("<g style='filter:url(#f)'><rect width='9' height='9'/></g>");
+  EXPECT_NEAR(area_of(part), 81, 1e-9);
+  EXPECT_EQ(doubts(part), "");
+  const auto& items = part.diagnostics.items();
+  EXPECT_EQ(
+      std::count_if(items.begin(), items.end(),
+                    [](const Diagnostic& item) { return item.what.find("filter") != std::string::npos; }),
+      1);
+}
+
 TEST(SvgClip, LinesSeenInPartAreReadWholeAndCount) {
   const std::string pen = "fill='none' stroke='black' clip-path='url(#c)'/>";
   const Part across = read(kLeft + "<rect x='40' y='5' width='30' height='10' " + pen);

@@ -111,7 +111,7 @@ void apply_svg_style(const pugi::xml_node& node, const SvgStyleSheet& sheet, Svg
   style.transform_box.clear();
   style.moved_by.clear();
   style.geometry.clear();
-  style.fixed_stroke = style.overflows = style.masked = false;
+  style.fixed_stroke = style.overflows = style.masked = style.filtered = false;
   style.transform_origin = svg_text_of(node, "transform-origin");
   style.font.outer_size = style.font.size;
   for (const char* property :
@@ -119,7 +119,7 @@ void apply_svg_style(const pugi::xml_node& node, const SvgStyleSheet& sheet, Svg
         "opacity",      "visibility",     "display",         "clip-path",         "mask",
         "stroke-width", "stroke-linecap", "stroke-linejoin", "stroke-miterlimit", "stroke-dasharray",
         "marker-start", "marker-mid",     "marker-end",      "vector-effect",     "transform-box",
-        "overflow",     "clip-rule"}) {
+        "overflow",     "clip-rule",      "filter"}) {
     style.set(property, svg_text_of(node, property));
   }
   for (const char* property : kSvgFontProperties) style.set(property, svg_text_of(node, property));

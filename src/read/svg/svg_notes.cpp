@@ -49,6 +49,8 @@ void SvgNotes::report(Diagnostics& diagnostics, const std::string& file) const {
   if (marked > 0)
     diagnostics.doubt(file, kLeftOut,
                       text(marked, "shapes have markers, which are not read; turn them into paths"));
+  if (filtered > 0)
+    diagnostics.note(file, text(filtered, "elements have a filter, which moves nothing that is read"));
   if (clipped > 0)
     diagnostics.note(
         file, text(clipped, "shapes reach beyond a clip path or a viewport: what that hides is left out"));

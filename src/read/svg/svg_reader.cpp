@@ -218,6 +218,7 @@ class SvgCollector {
     const std::string problem = inherit_svg(node, document_.sheet, options_, own);
     if (!problem.empty()) throw InputError(place(node), problem);
     if (own.style.masked) ++notes_.not_applied["mask"];
+    if (own.style.filtered) ++notes_.filtered;
     if (!clips_.narrow(own)) ++notes_.not_applied["clip-path"];
   }
 

@@ -26,6 +26,7 @@ struct SvgNotes {
   int marked = 0;
   int even_odd_strokes = 0;
   int odd_points = 0;
+  int filtered = 0;  ///< elements with a filter
 
   void report(Diagnostics& diagnostics, const std::string& file) const;
 };

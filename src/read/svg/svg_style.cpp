@@ -116,6 +116,7 @@ void SvgStyle::set(std::string_view property, std::string_view value) {
   if (value.empty() || value == "inherit" || value == "unset") return;
   if (property == "clip-path") clip = value == "none" ? "" : value;
   if (property == "mask") masked = value != "none";
+  if (property == "filter") filtered = value != "none";
   if (property == "fill") fill = small(value);
   if (property == "stroke") stroke = small(value);
   if (property == "fill-rule") fill_rule = small(value);

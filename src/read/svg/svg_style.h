@@ -33,6 +33,7 @@ struct SvgStyle {
   bool overflows = false;  ///< overflow: a viewport also shows its outside; not inherited
   std::string clip;        ///< clip-path, as written; "" for none; not inherited
   bool masked = false;     ///< a mask hides part of the element; not inherited
+  bool filtered = false;   ///< the element is drawn through a filter; not inherited
 
   std::string transform, transform_origin;  ///< transform as written; not inherited
   std::string transform_box;                ///< reference of origin and percentages; not inherited
