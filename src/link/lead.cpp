@@ -56,6 +56,22 @@ Place place_beyond(const Place& place, const Path& path, double overlap) {
   return {first.from, first.tangent_at(0), place.along};
 }
 
+/// The sizes tried, descending: those that would begin nearer to the pass than `room` mm are replaced by the one that begins there.
+std::vector<double> sizes_down_from(double size, std::optional<Radians> angle, double room) {
+  const double off =
+      angle ? base::sin(angle->radians()) : 1;  // distance from the pass to the beginning, per mm of size
+  std::vector<double> sizes;
+  for (const double share : kShares) {
+    if (share * size * off >= room) {
+      sizes.push_back(share * size);
+    } else {
+      if (size * off >= room) sizes.push_back(room / off);
+      break;
+    }
+  }
+  return sizes;
+}
+
 bool holds_disc(const Regions& legal, Vec2 center, double radius) {
   return std::any_of(legal.begin(), legal.end(), [&](const Region& region) {
     return region.contains(center) && region.boundary_distance(center) >= radius - LegalArea::kSlack;
@@ -72,16 +88,15 @@ class LeadSearch {
         overlap_(std::min(shape.overlap, length(path))),
         places_(places_on(path, shape.from_corners)) {}
 
-  /// The first fitting lead: arcs of radius `size` mm or, if there is an `angle`, lines of length `size`.
-  std::optional<Lead> find(double size, std::optional<Radians> angle) const {
-    for (const double share : kShares) {
+  /// The first fitting lead: arcs of radius `size` mm or, if there is an `angle`, lines of length `size`; smaller ones begin no
+  /// nearer to the pass than `room` mm.
+  std::optional<Lead> find(double size, std::optional<Radians> angle, double room) const {
+    for (const double tried : sizes_down_from(size, angle, room)) {
       for (const Place& place : places_) {
         const Place end = place_beyond(place, path_, overlap_);
         for (const double side : {1.0, -1.0}) {
-          const auto in =
-              angle ? line(place, share * size, side, *angle, true) : arc(place, share * size, side, true);
-          const auto out =
-              angle ? line(end, share * size, side, *angle, false) : arc(end, share * size, side, false);
+          const auto in = angle ? line(place, tried, side, *angle, true) : arc(place, tried, side, true);
+          const auto out = angle ? line(end, tried, side, *angle, false) : arc(end, tried, side, false);
           if (in && out) return Lead{*in, *out, place.along, overlap_};
         }
       }
@@ -120,8 +135,12 @@ class LeadSearch {
 
 std::optional<Lead> lead_for(const Path& path, const Regions& legal, const LeadShape& shape) {
   const LeadSearch search(path, legal, shape);
-  auto lead = search.find(shape.size, shape.angle);
-  return lead || shape.angle ? lead : search.find(shape.size, Radians::of(kLineAngle));
+  const auto find = [&](double room) {
+    auto lead = search.find(shape.size, shape.angle, room);
+    return lead || shape.angle ? lead : search.find(shape.size, Radians::of(kLineAngle), room);
+  };
+  auto lead = find(shape.room);
+  return lead || shape.room <= 0 ? lead : find(0);
 }
 
 Path begun_at(const Path& path, double along) {

@@ -15,6 +15,8 @@ struct LeadShape {
   /// mm; if greater than 0 the lead is at a place this far from the ends of its edge: a control that shifts the pass begins
   /// and ends it square to the edge, which beside an inside corner is beyond the other edge's shifted path.
   double from_corners = 0;
+  /// mm; earlier steps have cut down to this far beside the pass. Nearer to it a lead goes down into what they left.
+  double room = 0;
 };
 
 struct Lead {
@@ -25,8 +27,8 @@ struct Lead {
 };
 
 /// Places a lead inside `legal`. At the start of the closed `path` (unless it has to be away from corners), else in the middle of
-/// one of its edges, the nearest first; else half and a quarter as large; else, instead of arcs, lines of 45 degrees by the same rules;
-/// else nothing.
+/// one of its edges, the nearest first; else half and a quarter as large, but beginning no nearer to the pass than `room`; else, instead
+/// of arcs, lines of 45 degrees by the same rules; else any of these that begins nearer; else nothing.
 ///
 /// Arcs   Quarter circles. The disc of the arc keeps its radius from the boundary of the legal area, to within the
 ///        tolerance of legal moves; this proves the arc legal.

@@ -64,6 +64,28 @@ TEST(Lead, WhereNoArcFitsALineDoes) {
   expect_legal(lead->out, legal);
 }
 
+/// mm; how far a lead's beginning is off the line of the pass.
+double off_pass(const Lead& lead, const Path& path) {
+  const Edge pass = begun_at(path, lead.along).front();
+  return std::abs(cross(pass.tangent_at(0), lead.in.from - pass.from));
+}
+
+/// The slot of a profile: earlier steps have left 0.3 mm beside the pass, and a little beyond that the slot ends.
+TEST(Lead, BeginsWhereEarlierStepsHaveCutWhereItHasRoomFor) {
+  const Region legal = rectangle(30, 0.55);
+  for (const auto angle : {std::optional<Radians>(), std::optional<Radians>(Radians::of_degrees(60))}) {
+    LeadShape shape{1, angle, 0};
+    shape.room = 0.3;
+    const auto lead = lead_for(legal.outer(), {legal}, shape);
+    ASSERT_TRUE(lead);
+    EXPECT_GE(off_pass(*lead, legal.outer()), 0.3 - 1e-9);
+    expect_legal(lead->in, legal);
+    expect_legal(lead->out, legal);
+    shape.room = 0.6;  // more than there is: as small as it has to be
+    EXPECT_TRUE(lead_for(legal.outer(), {legal}, shape));
+  }
+}
+
 TEST(Lead, NoneWhereNeitherFits) {
   const Region legal = rectangle(30, 0.1);
   EXPECT_FALSE(lead_for(legal.outer(), {legal}, {4, Radians::of_degrees(90), 0}));

@@ -249,10 +249,21 @@ void Linker::cut_pass(Candidate next) {
 std::optional<Lead> Linker::lead_for_pass(const Path& path, const Candidate& next) {
   if (options_.lead.size <= 0 || !runs_along_wall(work_.pass(next.item))) return std::nullopt;
   const LayerWork& where = layer(next.item);
-  auto lead = lead_for(path, where.layer().legal, options_.lead);
+  LeadShape shape = options_.lead;
+  shape.room = where.layer().cleared_beyond.value_or(0);
+  auto lead = lead_for(path, where.layer().legal, shape);
   if (lead && next.stay_down && !where.legal().holds_line(moves_.at(), lead->in.from)) lead.reset();
+  if (lead && !options_.may_plunge && plunges_into_material(*lead, next)) lead.reset();
   if (!lead) ++without_lead_;
   return lead;
+}
+
+/// Whether no ramp fits to the beginning of the lead, where material stands: along the pass itself there is more room.
+bool Linker::plunges_into_material(const Lead& lead, const Candidate& next) const {
+  const Vec2 start = lead.in.from;
+  if (next.stay_down || !stands_before(start, next.item) || access_to(start, next.item)) return false;
+  const Path path{lead.in};
+  return entry_into(entry_place(start, path, nullptr, next.item), next.item).kind == EntryKind::kPlunge;
 }
 
 /// For a pass that needs an entry: moves its start to a place reachable from the air, if there is one.
@@ -279,14 +290,24 @@ double Linker::go_to(const Candidate& next, const Path& path, bool is_ring) {
     link_to(p);
     return 0;
   }
-  const bool straight = work_.pass(next.item).may_cut_to_start || access_paths().in_air(p);
-  const auto access = straight ? access_paths().to(p, next.item) : std::nullopt;
-  if (!access && !work_.pass(next.item).starts_clear && !is_cleared_by_earlier_steps(p, next.item))
+  const auto access = access_to(p, next.item);
+  if (!access && stands_before(p, next.item))
     return enter_material(p, path, is_ring ? &path : nullptr, next.item);
   go_over(access && !access->empty() ? access->front().from : p, next.item);
   moves_.vertical(layer(next.item).layer().z, MoveKind::kPlunge, options_.plunge_feed);
   if (access) cut(*access, std::vector<MoveKind>(access->size(), MoveKind::kLeadIn));
   return 0;
+}
+
+/// A path to p from where the cutter descends without material, if there is one and the pass may begin by it.
+std::optional<Path> Linker::access_to(Vec2 p, std::size_t item) const {
+  const bool straight = work_.pass(item).may_cut_to_start || access_paths().in_air(p);
+  return straight ? access_paths().to(p, item) : std::nullopt;
+}
+
+/// Whether material may stand in the way of a descent at p.
+bool Linker::stands_before(Vec2 p, std::size_t item) const {
+  return !work_.pass(item).starts_clear && !is_cleared_by_earlier_steps(p, item);
 }
 
 /// Whether a cutter at p, in the area of a pass along walls, meets nothing that earlier steps have left beside the walls.
@@ -327,19 +348,26 @@ Entry Linker::entry_into(const EntryPlace& place, std::size_t item) const {
   return entry_at(place, layer(item).layer().legal, options_);
 }
 
-/// Moves from slightly above the material into it by the requested entry, or from the cutter's position over the
-/// start after the layer above. Returns the same as go_to.
-double Linker::enter_material(Vec2 start, const Path& path, const Path* ring, std::size_t item) {
+/// The beginning of `path` for an entry from slightly above the material.
+EntryPlace Linker::entry_place(Vec2 start, const Path& path, const Path* ring, std::size_t item) const {
   const LayerPasses& passes = layer(item).layer();
+  const Pass& pass = work_.pass(item);
   const Edge first = path.front();
   const Vec2 heading = first.from == first.to ? Vec2{1, 0} : first.tangent_at(0);
   const double z_above = std::min(approach_z(start, item), passes.z_top + kEntryHeight);
-  const Pass& pass = work_.pass(item);
   EntryPlace place{start, heading, z_above, passes.z, pass.entry_center, ring};
   if (pass.kinds.empty()) place.run = &path;
   place.stays_on_run = !pass.may_cut_to_start;
+  return place;
+}
+
+/// Moves from slightly above the material into it by the requested entry, or from the cutter's position over the
+/// start after the layer above. Returns the same as go_to.
+double Linker::enter_material(Vec2 start, const Path& path, const Path* ring, std::size_t item) {
+  EntryPlace place = entry_place(start, path, ring, item);
+  const double z_above = place.z_above;
   std::optional<Entry> entry;
-  if (stand_over(moves_, start, passes.z, z_above)) {
+  if (stand_over(moves_, start, place.z, z_above)) {
     place.z_above = moves_.z();
     entry = entry_into(place, item);
     if (entry->moves.front().path.from != start) entry.reset();  // a helix begins beside the start

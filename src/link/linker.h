@@ -91,12 +91,16 @@ class Linker {
 
   void cut_pass(Candidate next);
   std::optional<Lead> lead_for_pass(const Path& path, const Candidate& next);
+  bool plunges_into_material(const Lead& lead, const Candidate& next) const;
   void start_from_air(Candidate& next) const;
   double go_to(const Candidate& next, const Path& path, bool is_ring);
+  std::optional<Path> access_to(Vec2 p, std::size_t item) const;
+  bool stands_before(Vec2 p, std::size_t item) const;
   bool is_cleared_by_earlier_steps(Vec2 p, std::size_t item) const;
   void link_to(Vec2 p);
   void go_over(Vec2 p, std::size_t item);
   Entry entry_into(const EntryPlace& place, std::size_t item) const;
+  EntryPlace entry_place(Vec2 start, const Path& path, const Path* ring, std::size_t item) const;
   double enter_material(Vec2 start, const Path& path, const Path* ring, std::size_t item);
   void rise_and_cross(Vec2 to, double height);
   Path oriented(const Candidate& next) const;

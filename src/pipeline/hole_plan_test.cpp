@@ -235,6 +235,16 @@ TEST(HolePlan, ASpotDrillAmongTheToolsLeadsTheDrill) {
   EXPECT_THAT(result.program, HasSubstr("Z-2.7 R1 "));
 }
 
+/// A cone wider than the counterbore, at whose floor the hole begins, goes down only until it would touch its wall.
+TEST(HolePlan, SpotsAtTheFloorOfACounterboreKeepOffItsWall) {
+  const PlanResult result =
+      plan_part(drawn(box("STOCK_D12", -20, -20, 20, 20) + circle("DRILL_THRU", {0, 0}, 2.75) +
+                      circle("CBORE_D4", {0, 0}, 5)),
+                with({"endmill:6", "drill:5.5", "spotdrill:90deg:12"}));
+  expect_clean(result);
+  EXPECT_THAT(result.program, HasSubstr("Z-5 R-3 "));
+}
+
 TEST(HolePlan, CountersunkHolesAreSpottedBeforeTheyAreDrilled) {
   const PlanResult result =
       plan_part(drawn(box("STOCK_D12", -20, -20, 40, 40) + circle("DRILL_D8", {10, 10}, 3) +

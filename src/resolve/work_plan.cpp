@@ -388,9 +388,11 @@ void add_finishing_steps(Part& part, const PlanOptions& options, StepSources& so
   }
   part.workplan.insert(part.workplan.end(), floors.begin(), floors.end());
   part.workplan.insert(part.workplan.end(), walls.begin(), walls.end());
-  // A thread about a boss is milled where the boss has its finished width.
+  // A thread about a boss is milled where the boss has its finished width, and the disc of a T-slot goes down where a pocket or the neck
+  // has its finished width and floor.
   std::stable_partition(part.workplan.begin(), part.workplan.end(), [&](const Workingstep& step) {
-    return feature_of(part, step).kind != FeatureKind::kExternalThread;
+    const FeatureKind kind = feature_of(part, step).kind;
+    return kind != FeatureKind::kExternalThread && kind != FeatureKind::kTSlot;
   });
 }
 

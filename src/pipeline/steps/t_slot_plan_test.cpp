@@ -51,6 +51,15 @@ TEST(TSlots, AnOpenSlotIsMilledForTheNeckThenUndercutFromOutsideToOutside) {
   EXPECT_THAT(result.program.substr(change), HasSubstr("X-12 Y30\nZ1\nG1 Z-12 F300\nX112 F1000\nG0 Z10\n"));
 }
 
+TEST(TSlots, TheDiscGoesDownInAPocketThatIsFinished) {
+  const Part part =
+      drawn(kPlate + circle("POCKET_D12", {30, 30}, 10.2) + line("TSLOT_D12", {30, 30}, {100, 30}));
+  auto options = with({"endmill:12:length=30", "tslot:20:length=8:shank=10"});
+  options.shop.finish = "all";
+  const PlanResult result = plan_part(part, options);
+  EXPECT_EQ(verdict_of(result.findings), Verdict::kClean) << faults_of(result.findings);
+}
+
 TEST(TSlots, AProgramWrittenByHandIsClean) {
   const Findings once = checked(open_slot(), kNeck + kDisc);
   EXPECT_EQ(verdict_of(once), Verdict::kClean) << faults_of(once);

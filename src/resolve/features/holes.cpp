@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "base/elementary.h"
 #include "base/error.h"
@@ -365,19 +366,45 @@ class HoleShaper {
     part_.workplan.push_back(std::move(before));
   }
 
+  /// mm; how far beside `p` the features over it are open just below height z.
+  double room_below(double z, Vec2 p) const {
+    double room = 0;
+    for (const Feature& feature : part_.features) {
+      if (feature.top_z < z - kSame || feature.floor_z > z - 2 * kSame) continue;
+      for (const Region& region : feature.allowed)
+        if (region.contains(p)) room = std::max(room, region.boundary_distance(p));
+    }
+    return room;
+  }
+
+  /// mm below `top`, the floor of counterbores and pockets, that a cone goes down at `p` without touching their walls.
+  double deepest_between_walls(const Tool& tool, Vec2 p, double top) const {
+    double depth = std::numeric_limits<double>::infinity();
+    for (const Feature& feature : part_.features) {
+      const double over = feature.top_z - top;
+      if (over <= kSame || room_below(feature.top_z, p) <= 0) continue;
+      const double room = room_below(feature.top_z, p);
+      if (room < tool.radius())
+        depth = std::min(depth, (room - tool.tip_diameter / 2) / flank_slope(tool) - over);
+    }
+    return depth;
+  }
+
   void add_spot(const Workingstep& step, double full_z) {
     if (spot_ < 0) return;
     const Tool& tool = part_.tools[static_cast<std::size_t>(spot_)];
-    const double width = std::min(kSpotShare * *feature_of(step).hole_diameter, tool.diameter);
-    const double depth = (width / 2 - tool.tip_diameter / 2) / flank_slope(tool);
+    double width = std::min(kSpotShare * *feature_of(step).hole_diameter, tool.diameter);
     const double top = feature_of(step).top_z;
-    if (depth <= 0 || top - depth < full_z) return;
     const Vec2 center = features::round_hole_of(feature_of(step), options_.tol)->center;
+    const double depth = std::min((width / 2 - tool.tip_diameter / 2) / flank_slope(tool),
+                                  deepest_between_walls(tool, center, top));
+    if (depth <= 0 || top - depth < full_z) return;
     const bool spotted = std::any_of(part_.features.begin(), part_.features.end(), [&](const Feature& other) {
       return other.hole && other.hole->kind == HoleKind::kSpotted &&
              distance(other.hole->center, center) < kSame;
     });
     if (spotted) return;
+    width = tool.tip_diameter + 2 * depth * flank_slope(tool);
     Feature spot = cylinder(step, "_spot", width, top - depth);
     spot.hole = HoleForm{HoleKind::kSpotted, center, width, top, std::nullopt, false, std::nullopt};
     part_.workplan.push_back(step_on(std::move(spot), step, spot_));
