@@ -311,5 +311,20 @@ TEST(OutOfReach, OfABallInAShallowPocketIsNothingAboveTheCusps) {
   }
 }
 
+/// Mills with a sharper corner than the fillet keep off it at the foot of leaning walls, too.
+TEST(OutOfReach, IsWhatSharperCornersLeaveOfAFilletUnderLeaningWalls) {
+  for (const double draft : {5.0, 20.0, 35.0}) {
+    Part part = drawn(box("POCKET_D4", 0, 0, 26, 22));
+    part.features.front().floor_fillet = 2;
+    part.features.front().wall_slope = Radians::of_degrees(draft);
+    for (const char* tool : {"endmill:5", "bullnose:5:corner=0.5", "bullnose:6:corner=1.5"}) {
+      const PlanResult result = plan_part(part, with({tool}));
+      EXPECT_TRUE(result.findings.faults.empty())
+          << draft << " " << tool << ": " << faults_of(result.findings);
+      EXPECT_GT(result.findings.all.time_s, 0);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace clearcut::pipeline

@@ -1,5 +1,6 @@
 """Programs of two cutters: the second meets what the end of the first has left, and its right twin does not."""
 import json
+import math
 
 from alone import STOCK
 from holes import CYCLES, cycle, drawing, second_tool, two_tools
@@ -10,6 +11,8 @@ PARTS = {
         {"name": "ROUND", "outer": [[13, 10, 1], [7, 10, 1]], "islands": [], "top": 0, "depth": 3}]},
     "filleted.json": {"name": "FILLET", "units": "mm", "outer": [[0, 0, 0], [20, 0, 0], [20, 20, 0], [0, 20, 0]], "islands": [],
                       "top": 0, "depth": 2, "floor_fillet": 1},
+    "leaning.json": {"name": "LEANING", "units": "mm", "outer": [[0, 0, 0], [20, 0, 0], [20, 20, 0], [0, 20, 0]], "islands": [],
+                     "top": 0, "depth": 2, "floor_fillet": 1, "slope_rad": math.radians(5)},
 }
 
 
@@ -49,6 +52,24 @@ def cleared(halves, z=-2):
 def drilled(z):
     def change(p):
         p.cut = cycle(p, "G81", z, 1, 200)
+    return change
+
+
+def leaning(fillet):
+    """Layers of a flat mill of 6 mm between walls that lean by 5 degrees, off a fillet at their foot."""
+    sine, cosine = math.sin(math.radians(5)), math.cos(math.radians(5))
+
+    def half(z):
+        above = 2 + z
+        off = 0
+        if above < fillet * (1 - sine):
+            off = (fillet * (1 - sine) + above * sine) / cosine - math.sqrt(fillet ** 2 - (fillet - above) ** 2)
+        return 7 + z * sine / cosine - off - 0.0005
+
+    def change(p):
+        p.cut = []
+        for z in (-0.5, -1, -1.5, -2):
+            p.cut += [p.t.rapid(z=5), p.t.rapid(x=10, y=10)] + rings(p.t, [1, 4, half(z)], z=z)
     return change
 
 
@@ -120,6 +141,12 @@ def cutters():
     c.add("wall-over-fillet", CYCLES, cleared([1, 4, 7]), "FAULTY", "uncut",
           "follows the way of a bull-nose with a mill as narrow as its flat, 1 mm off the walls",
           part="filleted.json", tools=["endmill:4:T1", "bullnose:6:corner=1:T2"], asked={"accept": ["out-of-reach"]})
+    for name, change, part in (("", cleared([1, 4, 7]), "filleted.json"), ("-leaning", leaning(0), "leaning.json")):
+        c.add(f"fillet-gouged{name}", CYCLES, change, "FAULTY", "gouge", "cuts the fillet away", part=part, tools=["endmill:6:T1"],
+              asked={"accept": ["out-of-reach"]})
+    for name, change, part in (("", stepped(6), "filleted.json"), ("-leaning", leaning(1), "leaning.json")):
+        c.right(f"right-fillet-kept{name}", CYCLES, change, "keeps off the fillet", part=part, tools=["endmill:6:T1"],
+                asked={"accept": ["out-of-reach"]})
     c.right("right-fillet", CYCLES, cleared([1, 4, 7]), "makes the fillet by an end of its radius", part="filleted.json",
             tools=["bullnose:6:corner=1:T1"])
 

@@ -90,8 +90,12 @@ MeetingPockets::MeetingPockets(const Part& part, int workingstep, const Toleranc
 Regions MeetingPockets::room_of(const Feature& other, double z) const {
   Regions room = features::at_depth(other.allowed, other.wall_slope, other.top_z - z, tol_);
   const plan::RoundOnWall theirs{own_.round, other.wall_slope.radians()};
-  const double farther = theirs.beside() - own_.beside() +
-                         features::clear_of_fillet(other.floor_fillet, corner_, z - other.floor_z);
+  const plan::RoundOnWall corner{corner_, theirs.draft};
+  const double kept =
+      own_.round > 0 ? 0 : corner_ - corner.beside();  // by layers that do not touch leaning walls
+  const double off_fillet =
+      std::max(0.0, corner.clear_of_fillet(other.floor_fillet, z - other.floor_z) - kept);
+  const double farther = theirs.beside() - own_.beside() + off_fillet;
   if (farther > 0) room = inset(room, farther, tol_);
   const bool higher = std::find(higher_.begin(), higher_.end(), &other) != higher_.end();
   return higher ? intersect(room, cleared_, tol_) : room;

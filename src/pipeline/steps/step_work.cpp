@@ -93,9 +93,12 @@ double off_path(int index, const ResolvedPlan& plan) {
 }
 
 /// Keeps a corner sharper than the fillet between the feature's floor and walls off the fillet, at the height of the layer. Where another
-/// tool makes the fillet, or none does, the rest is left.
-void keep_off_fillet(Layer& layer, const Feature& feature, double corner, const Tolerances& tol) {
-  const double off = features::clear_of_fillet(feature.floor_fillet, corner, layer.z - feature.floor_z);
+/// tool makes the fillet, or none does, the rest is left. Layers that do not touch leaning walls keep off them by some of it already.
+void keep_off_fillet(Layer& layer, const Feature& feature, const plan::RoundedEnd& end,
+                     const Tolerances& tol) {
+  const plan::RoundOnWall touch{end.round, feature.wall_slope.radians()};
+  const double kept = end.touches_walls ? 0 : end.round - touch.beside();
+  const double off = touch.clear_of_fillet(feature.floor_fillet, layer.z - feature.floor_z) - kept;
   if (off <= 0) return;
   layer.allowed = inset(layer.allowed, off, tol);
   layer.target = intersect(layer.target, layer.allowed, tol);
@@ -155,7 +158,7 @@ std::vector<Layer> standing_layers(int index, const ResolvedPlan& plan, double r
       met.widen(layer);
     }
     layer.bare = bare;
-    keep_off_fillet(layer, feature, touch.round, plan.tol);
+    keep_off_fillet(layer, feature, end, plan.tol);
   }
   std::erase_if(layers, [](const Layer& layer) { return layer.target.empty(); });
   const double across = plan.steps[static_cast<std::size_t>(index)].cross_z;

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 #include "base/elementary.h"
 #include "base/error.h"
 #include "base/text.h"
+#include "base/tolerances.h"
 #include "features/derived_outlines.h"
 #include "geometry/contours/boolean.h"
 #include "plan/common/round_on_wall.h"
@@ -63,6 +65,18 @@ bool same_areas(const Layer& a, const Layer& b) {
          a.bare == b.bare && same_outline(a.allowed, b.allowed) && same_outline(a.target, b.target);
 }
 
+/// Adds the height at which an end sharper than the fillet at the foot of leaning walls is beside the wall for the last time: lower layers
+/// keep off the fillet.
+void add_height_over_fillet(std::vector<double>& heights, const Feature& feature, double round) {
+  const double draft = feature.wall_slope.radians(), sharper = feature.floor_fillet - round;
+  if (draft <= 0 || sharper <= 0) return;
+  const double z = feature.floor_z + sharper * (1 - base::sin(draft));
+  if (z >= feature.top_z) return;
+  const auto next =
+      std::lower_bound(heights.begin(), heights.end(), z + kSamePlaceMm, std::greater<double>());
+  if (next == heights.end() || z - *next > kSamePlaceMm) heights.insert(next, z);
+}
+
 }  // namespace
 
 std::vector<double> layer_heights(double top_z, double floor_z, double stepdown) {
@@ -94,7 +108,9 @@ std::vector<Layer> layers_of(const Feature& feature, const Operation& operation,
   const double rounded = is_ball ? beside - cleared : end.round;
   std::vector<Layer> layers;
   double top = feature.top_z + stock_above;
-  for (const double z : layer_heights(top, floor_z, step_for(feature, operation, tool_radius, end))) {
+  std::vector<double> heights = layer_heights(top, floor_z, step_for(feature, operation, tool_radius, end));
+  add_height_over_fillet(heights, feature, end.round);
+  for (const double z : heights) {
     Layer layer = outline_at(feature, z, tol);
     layer.z_top = top;
     layer.tool_radius = cleared;

@@ -7,6 +7,7 @@
 
 #include "base/elementary.h"
 #include "base/units.h"
+#include "features/derived_outlines.h"
 
 namespace clearcut::plan {
 
@@ -31,6 +32,17 @@ struct RoundOnWall {
   std::optional<double> height_kept_off(double left) const {
     const double flat = left / base::sin(draft), less = flat - round * (1 - base::sin(draft));
     return less > kLeastStep * flat ? std::optional(less) : std::nullopt;
+  }
+
+  /// mm by which the end keeps farther off a wall with a fillet of radius `fillet` at its foot than off one without, its tip `above` mm
+  /// over the floor. The middle of the rounding may lie on an arc about the fillet's own, which ends on the normal of the wall: the more
+  /// the wall leans, the lower, and the nearer to the foot is the fillet's end on the floor.
+  double clear_of_fillet(double fillet, double above) const {
+    const RoundOnWall between{fillet - round, draft};
+    const double over = std::max(0.0, above);
+    if (between.round * (1 - base::sin(draft)) <= over) return 0;
+    return features::clear_of_fillet(fillet, round, over) - (between.round - between.beside()) +
+           over * base::tan(draft);
   }
 
  private:

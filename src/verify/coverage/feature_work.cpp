@@ -271,6 +271,13 @@ double nearest_height(const Tool* tool, double draft) {
   return rounding_of(tool) * (1 - base::sin(draft));
 }
 
+/// mm over the floor, below which the walls with draft of the feature are not asked for: the rounding of the cutter leaves material in their
+/// corner with the floor, out of reach of any cutter of its kind, and a fillet that the part asks for is to stay.
+double corner_height(const Feature& feature, const Tool* tool) {
+  const double draft = feature.wall_slope.radians();
+  return std::max(nearest_height(tool, draft), feature.floor_fillet * (1 - base::sin(draft)));
+}
+
 class WorkCheck {
  public:
   WorkCheck(const Part& part, const FinishedParts& finished, const CheckedProgram& program,
@@ -350,14 +357,14 @@ class WorkCheck {
     if (!is_rounded && (!is_flat || !any_slopes(feature))) return;
     const double draft = feature.wall_slope.radians(),
                  apart = kHeightShare * *scallop->asked_mm / base::sin(draft);
-    const double round_corner = work.floor.z + nearest_height(work.smallest, draft);
+    const double above_corner = work.floor.z + corner_height(feature, work.smallest);
     const double depth = feature.top_z - work.floor.z;
     const int heights = static_cast<int>(std::clamp(std::ceil(depth / apart), 1.0, 1.0 * kMostHeights));
     // From the top; the top itself is left out, because no material is above it.
     for (int i = heights - 1; i > 0; --i) {
       LevelCoverage level;
       level.z = work.floor.z + depth * i / heights;
-      if (is_rounded && level.z < round_corner) break;
+      if (level.z < above_corner) break;
       check_level(work, level, *scallop->asked_mm + options_.tol.uncut);
       if (level.coverage.reachable &&
           (!level.any_cut || level.coverage.thickness_mm > widest_left(options_.tol)))
@@ -485,12 +492,10 @@ std::optional<Scallop> scallop_of(const Feature& feature, const FeatureWork& wor
   for (const LevelCoverage& layer : work.layers)
     layers.push_back({layer.z, layer.tool ? layer.tool : work.smallest});
   layers.push_back({work.floor.z, work.smallest});
-  // Below this height, the rounding of the lowest layer's cutter leaves material in the corner of the floor: out of
-  // reach of any cutter of its kind.
-  const double round_corner = work.floor.z + nearest_height(work.smallest, draft);
+  const double above_corner = work.floor.z + corner_height(feature, work.smallest);
   double above = feature.top_z;
   for (std::size_t i = 0; i < layers.size(); ++i) {
-    const double to = above - layers[i].z, from = std::max(round_corner - layers[i].z, 0.0);
+    const double to = above - layers[i].z, from = std::max(above_corner - layers[i].z, 0.0);
     const double left = from < to ? most_left({layers.data() + i, layers.size() - i}, from, to, draft) : 0;
     if (left > scallop.height_mm) scallop.height_mm = left, scallop.z = layers[i].z;
     above = layers[i].z;

@@ -50,6 +50,18 @@ TEST(FootFillet, CutAwayIsAFault) {
   EXPECT_TRUE(has(verify_program(part, writer.done(), {}), FaultKind::kGouge));
 }
 
+/// The fillet is the first pocket's alone: behind the thin wall beside it the floor meets the wall sharply.
+TEST(FootFillet, IsNotCutFromTheOtherSideOfAThinWall) {
+  Part part = filleted_pocket(0);
+  Feature other = part.features[0];
+  other.floor_fillet = 0;
+  other.target = other.allowed = rectangle(0, -20.5, 40, -0.5);
+  part.features.push_back(other);
+  Writer writer;
+  writer.enter({20, -10}, 0, -5).feed({20, -4.5}).feed({30, -4.5});
+  EXPECT_NEAR(verify_program(part, writer.done(), {}).all.gouge_mm, 0, 1e-9);
+}
+
 Move move_from(Vec2 a, Vec2 b, double z_from, double z_to) {
   Move move;
   move.path = Edge::line(a, b);
@@ -58,19 +70,17 @@ Move move_from(Vec2 a, Vec2 b, double z_from, double z_to) {
   return move;
 }
 
-/// mm; the fillet's surface over the floor, `from_wall` mm from the wall.
-double height_of_fillet(double radius, double from_wall) {
-  if (from_wall >= radius) return 0;
-  return radius - std::sqrt(radius * radius - (radius - from_wall) * (radius - from_wall));
-}
-
-/// mm; greatest depth, across the fillet's surface, of samples of the cutter's surface, for its axis `apart` mm from the wall.
-double sampled_depth(const CutterProfile& cutter, double radius, double apart, double above) {
+/// mm; greatest depth, across the surface of a fillet at the foot of a wall that leans by `draft`, of samples of the cutter's surface, for
+/// its axis `apart` mm from the foot.
+double sampled_depth(const CutterProfile& cutter, double radius, double draft, double apart, double above) {
+  const double center = radius * std::tan(kPi / 4 - draft / 2);
   double deepest = 0;
   for (int i = 0; i <= 20000; ++i) {
-    const double r = cutter.widest * i / 20000.0, from_wall = apart - r, z = above + cutter.height_at(r);
-    if (from_wall < 0 || from_wall >= radius || z >= height_of_fillet(radius, from_wall)) continue;
-    deepest = std::max(deepest, std::hypot(radius - from_wall, radius - z) - radius);
+    const double r = cutter.widest * i / 20000.0, x = apart - r, z = above + cutter.height_at(r);
+    const double across = x - center, up = z - radius;
+    const bool is_over_wall = x * std::cos(draft) + z * std::sin(draft) < 0;
+    const bool is_beside_fillet = across >= 0 || up * std::cos(draft) >= across * std::sin(draft);
+    if (!is_over_wall && !is_beside_fillet) deepest = std::max(deepest, std::hypot(across, up) - radius);
   }
   return deepest;
 }
@@ -90,13 +100,18 @@ TEST(FootFillet, DepthIsThatOfSamplesOfTheCuttersSurface) {
       tool.corner_radius = tool.diameter / 2;
     }
     const double fillet = part.features[0].floor_fillet = between(0.3, 4);
+    const double draft = i % 2 == 0 ? 0 : between(0.01, 0.8);
+    part.features[0].wall_slope = Radians::of(draft);
     const double apart = tool.radius() + between(0, fillet), above = between(0, fillet);
     const FinishedPart finished(part);
-    const Move move = move_from({20, apart}, {25, apart}, -5 + above, -5 + above);
+    const double y = apart + 5 * std::tan(draft);
+    const Move move = move_from({20, y}, {25, y}, -5 + above, -5 + above);
     const auto found = fillet_gouge_of(finished, move, outer_profile(tool));
-    EXPECT_NEAR(found ? found->depth : 0, sampled_depth(outer_profile(tool), fillet, apart, above), 2e-3)
-        << i << ": fillet " << fillet << ", cutter " << tool.diameter << " with " << tool.corner_radius
-        << ", " << apart << " from the wall, " << above << " over the floor";
+    EXPECT_NEAR(found ? found->depth : 0, sampled_depth(outer_profile(tool), fillet, draft, apart, above),
+                2e-3)
+        << i << ": fillet " << fillet << " at a wall that leans by " << draft << ", cutter " << tool.diameter
+        << " with " << tool.corner_radius << ", " << apart << " from the foot, " << above
+        << " over the floor";
   }
 }
 

@@ -252,7 +252,8 @@ double FinishedPart::fillet_at(const Wall& wall, Vec2 p, int own) const {
     const Shape& shape = shapes_[static_cast<std::size_t>(i)];
     if (shape.floor == wall.z_low && (i == own || holds(shape, p))) fillet = std::min(fillet, shape.fillet);
   }
-  const bool ends_with_it = wall.z_high <= wall.z_low + fillet + kSamePlaceMm && wall.z_high < top_z_;
+  const double highest = wall.z_low + wall.height_of_touching(fillet);
+  const bool ends_with_it = wall.z_high <= highest + kSamePlaceMm && wall.z_high < top_z_;
   return ends_with_it ? 0 : fillet;
 }
 
@@ -310,7 +311,7 @@ void FinishedPart::add_wall(const Edge& piece, const Shape& shape, int index) {
   const Vec2 middle = piece.at(0.5), aside = left_normal_at_middle(piece) * kBeside;
   const double left = height_beside(middle + aside, index, true);
   const double right = height_beside(middle - aside, index, false);
-  if (is_drafted_at(shape, piece)) return add_drafted_wall(piece, shape, left, right);
+  if (is_drafted_at(shape, piece)) return add_drafted_wall(piece, index, left, right);
   if (left == kNothing && right == kNothing && shape.feature >= 0)
     beyond_.push_back({piece, shape.floor, shape.top, shape.feature});
   if (left == right) return;
@@ -321,7 +322,8 @@ void FinishedPart::add_wall(const Edge& piece, const Shape& shape, int index) {
   walls_.push_back(wall);
 }
 
-void FinishedPart::add_drafted_wall(const Edge& piece, const Shape& shape, double left, double right) {
+void FinishedPart::add_drafted_wall(const Edge& piece, int index, double left, double right) {
+  const Shape& shape = shapes_[static_cast<std::size_t>(index)];
   // Beside the stock there are no walls with draft, and the stock's own sides are upright.
   if (left == kNothing && right == kNothing) return;
   if (left == kNothing) return walls_.push_back({piece, left, right, shape.feature});
@@ -330,6 +332,10 @@ void FinishedPart::add_drafted_wall(const Edge& piece, const Shape& shape, doubl
   Wall wall{piece, shape.floor, left < right ? right : shape.top, shape.feature, shape.top, shape.slope};
   wall.flat_from = is_beside_stock(piece.from - piece.tangent_at(0) * kProbe);
   wall.flat_to = is_beside_stock(piece.to + piece.tangent_at(1) * kProbe);
+  if (greatest_fillet_ > 0) {
+    const double foot = wall.draft_offset(wall.z_low) + kBeside;
+    wall.fillet = fillet_at(wall, piece.at(0.5) + left_normal_at_middle(piece) * foot, index);
+  }
   walls_.push_back(wall);
 }
 

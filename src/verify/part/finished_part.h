@@ -2,6 +2,7 @@
 // two nearly touching features, too thin to count as material.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -20,12 +21,19 @@ struct Wall {
   int feature = -1;   ///< feature of the outline; -1: the edge of the stock
   double top_z = 0;   ///< for walls with draft: height at which the wall is at `edge`
   double slope = 0;   ///< tangent of the draft; at height z the wall is (top_z - z) * slope inside `edge`
-  double fillet = 0;  ///< mm; radius of the hollow fillet to be left at its foot
+  double fillet =
+      0;  ///< mm; radius of the hollow fillet to be left at its foot, tangent to the wall and to the floor
   /// For walls with draft: at this end the side of the stock cuts the wall off square.
   bool flat_from = false;
   bool flat_to = false;
 
   bool stands_at(double z) const { return z_low <= z && z < z_high; }
+  /// Cosine and sine of the angle by which the wall leans.
+  double cos_of_draft() const { return 1 / std::sqrt(1 + slope * slope); }
+  double sin_of_draft() const { return slope * cos_of_draft(); }
+  /// mm; an arc of this radius that touches the wall and the floor has its centre this far from the foot, and touches the wall this high.
+  double center_of_touching(double radius) const { return radius * (1 - sin_of_draft()) / cos_of_draft(); }
+  double height_of_touching(double radius) const { return radius * (1 - sin_of_draft()); }
   double draft_offset(double z) const { return slope > 0 ? std::max(0.0, top_z - z) * slope : 0.0; }
   /// The ends of the wall at height z at which the stock's side cuts the wall off: lines from or to the outline, free
   /// on their left.
@@ -118,7 +126,7 @@ class FinishedPart {
   double height_in(const Shape& shape, Vec2 p) const;
   double cleared_in(const Shape& shape, Vec2 p, double z) const;
   double draft_offset_inside(const Wall& wall, double z, Vec2 p) const;
-  void add_drafted_wall(const Edge& piece, const Shape& shape, double left, double right);
+  void add_drafted_wall(const Edge& piece, int index, double left, double right);
   bool is_beside_stock(Vec2 p) const;
   double height_beside(Vec2 p, int own, bool inside_own) const;
   double fillet_at(const Wall& wall, Vec2 p, int own) const;

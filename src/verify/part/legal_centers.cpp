@@ -201,11 +201,11 @@ void LegalCenters::cut_by_wall(TrimmedCurve& left, const Wall& wall, double upri
   left.keep([&](Vec2 p) { return distance(wall.edge, p) >= off + part_.draft_offset(wall, z_, p); });
 }
 
-/// On the floor the cutter keeps off the fillet by the difference of the radii. Higher up it could come nearer, which is not asked of it:
-/// within micrometres over the floor that would be much.
+/// On the floor the cutter keeps off the fillet until its corner touches the floor where the fillet ends; beside upright walls that is the
+/// difference of the radii. Higher up it could come nearer, which is not asked of it: within micrometres over the floor that would be much.
 double LegalCenters::off_fillet(const Wall& wall) const {
-  const double narrower = wall.fillet - corner_;
-  return z_ - wall.z_low < narrower ? narrower : 0;
+  if (z_ - wall.z_low >= wall.height_of_touching(wall.fillet - corner_)) return 0;
+  return wall.center_of_touching(wall.fillet) - corner_;
 }
 
 /// mm; the least distance - reach over all walls, if it is negative; else 0.
