@@ -256,6 +256,27 @@ TEST(Texts, EveryTableIsOnThePageOfTheTexts) {
   for (const auto& [name, agreement] : said) EXPECT_EQ(reproducible_table(name).name, name);
 }
 
+/// Where a table differs its row says in how many cells of how many.
+TEST(Texts, RowsThatDifferSayInHowManyCells) {
+  const std::string page = read_file(CLEARCUT_SOURCE_DIR "/docs/reproduced.html");
+  std::istringstream texts(read_file(CLEARCUT_SOURCE_DIR "/docs/texts.md"));
+  const std::regex row(
+      R"(.* ([0-9]+ of [0-9]+) cells differ.*`clearcut reproduce ([a-z0-9-]+)` \| differs \|)");
+  const std::regex summary(R"(([0-9]+) printed cells: .*? ([0-9]+) differ<)");
+  std::smatch match, there;
+  int compared = 0;
+  for (std::string line; std::getline(texts, line);) {
+    if (!line.ends_with("| differs |")) continue;
+    ASSERT_TRUE(std::regex_match(line, match, row)) << line;
+    const std::string section = section_of(page, match[2]);
+    if (section.empty()) continue;  // of the long tables
+    ASSERT_TRUE(std::regex_search(section, there, summary)) << match[2];
+    EXPECT_EQ(match[1], there[2].str() + " of " + there[1].str()) << match[2];
+    ++compared;
+  }
+  EXPECT_EQ(compared, 4);
+}
+
 /// All that holds of a table that takes no longer than a second or two, in one test, as each is made once for it.
 TEST(Texts, QuickTablesAreAsThePagesSay) {
   const auto said = documented_agreement();
