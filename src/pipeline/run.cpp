@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -166,6 +167,8 @@ std::optional<Toolpath> certified_toolpath(Selection& selection, const ResolvedP
 struct Trial {
   std::vector<double> reserve_shares;  ///< see step_works()
   bool loses_air_cuts = true;          ///< passes may go without what cuts nothing
+  /// Heights, mm, by workingstep: layers as high or higher are known to meet no material. Empty: of none.
+  std::vector<double> nothing_down_to = {};
 };
 
 /// The work of every workingstep for a trial.
@@ -173,6 +176,10 @@ std::vector<StepWork> works_of(const ResolvedPlan& plan, const Trial& trial) {
   std::vector<StepWork> works = step_works(plan, trial.reserve_shares);
   if (!trial.loses_air_cuts)
     for (StepWork& work : works) work.stands_alone = false;
+  for (std::size_t i = 0; i < trial.nothing_down_to.size(); ++i)
+    std::erase_if(works[i].layers, [&](const LayerLeft& one) {
+      return one.layer.z >= trial.nothing_down_to[i] - kRoundingMm;
+    });
   return works;
 }
 
@@ -233,6 +240,39 @@ std::unique_ptr<CertifiedPlan> certified_trial(Trial& trial, const ResolvedPlan&
   return std::make_unique<CertifiedPlan>(plan, trial, strategies, meter, known);
 }
 
+/// What stands over a step is not known before planning where published grids have been cut: its layers begin as high as anything
+/// may stand. Heights, by workingstep, down to which they then met nothing; empty if all layers of all steps have met something.
+std::vector<double> heights_of_nothing(const Findings& findings, const ResolvedPlan& plan) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  std::vector<double> heights(plan.part.workplan.size(), kNone);
+  bool any = false;
+  for (const FeatureFindings& step : findings.features) {
+    if (step.workingstep < 0 || !plan.steps[static_cast<std::size_t>(step.workingstep)].published_grid)
+      continue;
+    for (std::size_t i = 0; i + 1 < step.layers.size(); ++i) {
+      if (step.layers[i].figures.max_axial_mm > kRoundingMm) break;
+      heights[static_cast<std::size_t>(step.workingstep)] = step.layers[i].z;
+      any = true;
+    }
+  }
+  return any ? heights : std::vector<double>();
+}
+
+/// The plan without layers above all that its published grids meet; nothing if there are none, or if it is not better.
+std::unique_ptr<CertifiedPlan> without_layers_above(const CertifiedPlan& found, Trial trial,
+                                                    const ResolvedPlan& plan, const StrategyTable& strategies,
+                                                    ProgressMeter& meter, const PlanResult& known) {
+  trial.nothing_down_to = heights_of_nothing(found.result.findings, plan);
+  if (trial.nothing_down_to.empty()) return nullptr;
+  auto shorter = certified_trial(trial, plan, strategies, meter, known);
+  const Findings &now = shorter->result.findings, &before = found.result.findings;
+  const bool is_better = now.faults.size() <= before.faults.size() &&
+                         now.all.rapid_in_material <= before.all.rapid_in_material &&
+                         now.all.max_axial_mm <= before.all.max_axial_mm + kRoundingMm &&
+                         now.all.time_s < before.all.time_s;
+  return is_better ? std::move(shorter) : nullptr;
+}
+
 /// The plan with all of that stock; where this leaves material uncut, the one with the fewest faults of those with less stock
 /// there.
 std::unique_ptr<CertifiedPlan> certified_plan(const ResolvedPlan& plan, const StrategyTable& strategies,
@@ -245,6 +285,8 @@ std::unique_ptr<CertifiedPlan> certified_plan(const ResolvedPlan& plan, const St
     const auto faults = [](const CertifiedPlan& one) { return one.result.findings.faults.size(); };
     if (!best || faults(*next) < faults(*best)) best = std::move(next);
   }
+  if (auto shorter = without_layers_above(*best, trial, plan, strategies, meter, known))
+    best = std::move(shorter);
   return best;
 }
 
