@@ -28,12 +28,12 @@ PlanOptions mill() {
   return options;
 }
 
-PlanResult planned(bool published) {
+PlanResult planned(bool published, const Part& part = plates()) {
   PlanOptions options = mill();
   options.strategy = "tour";
   options.stepover = "1";
   options.published.published_grid = published;
-  return plan_part(plates(), options);
+  return plan_part(part, options);
 }
 
 /// What stands below a rim is taken in layers, from where the rim stands.
@@ -73,6 +73,15 @@ TEST(PublishedGridPlan, OwnGridsBeginAtTheFloorAbove) {
   EXPECT_TRUE(result.findings.faults.empty()) << verdict_and_reasons(result.findings);
   EXPECT_EQ(result.findings.features.back().layers.size(), 2U);
   EXPECT_EQ(planned(true).findings.features.back().layers.size(), 4U);
+}
+
+/// A deep pocket over which the grid of the wide one has cut everything has no layers in the air.
+TEST(PublishedGridPlan, LayersBelowAClearedAreaBeginAtItsFloor) {
+  const PlanResult result =
+      planned(true, drawn(box("POCKET_D4", 0, 0, 60, 60) + box("POCKET_D8", 20, 20, 40, 40)));
+  EXPECT_EQ(result.findings.features.back().layers.size(), 2U) << verdict_and_reasons(result.findings);
+  EXPECT_LE(result.findings.all.max_axial_mm, 2 + 1e-6);
+  EXPECT_EQ(count(result, FaultKind::kRapidInMaterial), 0);
 }
 
 }  // namespace
