@@ -5,7 +5,7 @@
 
 #include "order/genetic/operators.h"
 #include "order/search/solve.h"
-#include "order/tours.h"
+#include "order/genetic/tours.h"
 
 namespace clearcut {
 

@@ -98,7 +98,7 @@ std::vector<std::string> ap238_lines(std::string_view text, const std::string& f
 }
 
 void fill_machine_kind(Machine& machine, const std::string& kind) {
-  return read::fill_machine_kind(machine, kind);
+  read::fill_machine_kind(machine, kind);
 }
 
 std::optional<Machine> library_machine(std::string_view name) {
@@ -159,7 +159,7 @@ const std::vector<std::string>& limits_of_kinds() {
 }
 
 void number_tools(std::vector<Tool>& tools) {
-  return resolve::number_tools(tools);
+  resolve::number_tools(tools);
 }
 
 std::optional<Dialect> dialect_named(std::string_view name) {

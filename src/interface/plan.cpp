@@ -45,7 +45,7 @@ PlanResult plan_part(const Part& part, const PlanOptions& options) {
 }
 
 void read_earlier_program(PlanOptions& options, const std::string& file, std::optional<Dialect> dialect) {
-  return pipeline::read_earlier_program(options, file, dialect);
+  pipeline::read_earlier_program(options, file, dialect);
 }
 
 std::vector<NestedPart> read_nested_parts(const PlanOptions& options, const std::optional<JobFile>& of_first,
@@ -187,12 +187,12 @@ Machine with_typed(Machine machine, const TypedMachine& typed) {
 }
 
 void accept_what_is_held(const Sources& of_machine, PlanOptions& options) {
-  return pipeline::accept_what_is_held(of_machine, options);
+  pipeline::accept_what_is_held(of_machine, options);
 }
 
 void add_places(const std::vector<std::string>& keep_outs, const std::vector<std::string>& predrilled,
                 PlanOptions& options) {
-  return resolve::add_places(keep_outs, predrilled, options);
+  resolve::add_places(keep_outs, predrilled, options);
 }
 
 void check_options(const PlanOptions& options) {

@@ -99,7 +99,7 @@ std::string joined_setup_sheets(const std::vector<std::string>& sheets) {
 }
 
 void require_pdf(const std::string& file_name) {
-  return report::require_pdf(file_name);
+  report::require_pdf(file_name);
 }
 
 std::string setup_sheet_html(const SetupSheet& sheet) {

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "pipeline/check.h"
-#include "pipeline/check_text.h"
 #include "pipeline/program_feeds.h"
 #include "pipeline/result_figures.h"
 #include "pipeline/resume/resume.h"
@@ -25,10 +24,6 @@ CheckResult check_program_alone(const std::optional<Stock>& stock, const std::st
   return pipeline::check_program_alone(stock, program, program_name, options, dialect, top, reference_feeds);
 }
 
-std::string check_text(std::string_view program, std::string_view question) {
-  return pipeline::check_text(program, question);
-}
-
 ProgramFeeds feeds_of_program(const ProgramQuestion& question, const std::string& program,
                               const std::string& program_name, const PlanOptions& options) {
   return pipeline::feeds_of_program(question, program, program_name, options);
@@ -41,10 +36,6 @@ std::vector<MoveFigures> figures_of_moves(const Part& part, const Toolpath& tool
 
 std::string margin_line(const Margin& margin) {
   return pipeline::margin_line(margin);
-}
-
-std::vector<std::string> question_options() {
-  return pipeline::question_options();
 }
 
 ResumedProgram resume_program(const ProgramQuestion& question, const Stop& stop, const std::string& program,

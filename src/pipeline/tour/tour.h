@@ -9,7 +9,7 @@
 
 #include "order/genetic/genetic.h"
 #include "order/search/solve.h"
-#include "order/tours.h"
+#include "order/genetic/tours.h"
 
 namespace clearcut::pipeline {
 
