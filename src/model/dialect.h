@@ -15,7 +15,8 @@ enum class Dialect : unsigned char {
   kMarlin,
   kSiemens,
   kMazak,
-  kTormach
+  kTormach,
+  kOkuma
 };
 
 }  // namespace clearcut::inline model

@@ -70,7 +70,7 @@ report::SetupSheetInfo sheet_info(const PlanOptions& options, const std::string&
   info.program_name = program_name;
   info.dialect = dialect;
   info.inch = options.post.inch;
-  info.work_offset = words_of(options.post.work_offset);
+  info.work_offset = post::work_offset_words(dialect, options.post.work_offset);
   return info;
 }
 

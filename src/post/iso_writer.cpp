@@ -546,7 +546,9 @@ void IsoWriter::load_by_hand(int number) {
 
 /// Z to its home, `with_table` Y after it.
 void IsoWriter::home(bool with_table) {
-  if (dialect_.home == HomeForm::kSafeHeight || dialect_.home == HomeForm::kSwitches) return;
+  if (dialect_.home == HomeForm::kSafeHeight || dialect_.home == HomeForm::kSwitches ||
+      dialect_.home == HomeForm::kHomePosition)
+    return;
   if (dialect_.home == HomeForm::kMachineZero) {
     out_.line("G53 G0 Z0.");
     if (with_table) out_.line("G53 G0 Y0.");
@@ -605,7 +607,7 @@ void IsoWriter::descend_with_length(const Ticks& start) {
 
 void IsoWriter::take_length_above(const Ticks& start) {
   rapid_to_plan(start);
-  out_.word(dialect_.length_offset == LengthOffset::kEdge ? "D1" : fmt::format("G43 H{}", held_.tool));
+  out_.word(dialect_.length_offset == LengthOffset::kEdge ? "D1" : fmt::format("{} H{}", dialect_.length_word, held_.tool));
   axis_word('Z', safe_z_);
   out_.end_block();
   held_.at.z = safe_z_;

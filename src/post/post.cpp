@@ -91,9 +91,10 @@ void refuse_missing_words(const PostOptions& options, const IsoDialect* dialect)
     refuse("--optional-stop", "M1 that stops only where the operator wants it");
   if (options.spindle_wait && !(options.spindle_wait->seconds() <= kLongestWait))
     throw InputError("--spindle-wait", "must be at most " + trimmed(kLongestWait, 0) + " s");
-  if (options.wear && (!dialect || dialect->radius == RadiusWord::kNone))
+  const bool is_unwritten = !dialect || dialect->radius == RadiusWord::kUnwritten;
+  if (options.wear && (is_unwritten || dialect->radius == RadiusWord::kNone))
     refuse("--compensation",
-           dialect ? "cutter compensation" : "compensation for wear alone that is written here");
+           is_unwritten ? "compensation for wear alone that is written here" : "cutter compensation");
   const int digits = dialect ? dialect->program_digits : 0;
   if (options.program_number && digits == 0) refuse("--program-number", "O word");
   if (options.program_number && std::to_string(*options.program_number + options.programs_before).size() >
@@ -124,6 +125,11 @@ std::optional<int> program_number_of(const std::string& dialect, const std::stri
   const IsoDialect* const iso = iso_dialect_named(dialect);
   if (iso == nullptr || iso->program_digits == 0) return std::nullopt;
   return program_number(program_name);
+}
+
+std::string work_offset_words(const std::string& dialect, const WorkOffset& offset) {
+  const IsoDialect* const iso = iso_dialect_named(dialect);
+  return words_of(iso != nullptr && offset == WorkOffset{} ? iso->first_offset : offset);
 }
 
 bool repeats_cycles(const std::string& dialect) {

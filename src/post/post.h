@@ -21,6 +21,9 @@ std::string file_extension_of(const std::string& dialect);
 /// The default number in the O word of a program with this name; nothing if the control has no O word.
 std::optional<int> program_number_of(const std::string& dialect, const std::string& program_name);
 
+/// Words of the work offset that programs of the control have where this one is asked for: "G54", "G15 H1".
+std::string work_offset_words(const std::string& dialect, const WorkOffset& offset);
+
 /// Whether programs of the control say the places of holes alike behind one cycle.
 bool repeats_cycles(const std::string& dialect);
 

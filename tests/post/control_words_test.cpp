@@ -104,7 +104,7 @@ TEST(CoolantWords, ThatAControlNeedNotHaveAreConditions) {
   const std::map<std::string, std::string> wanted{{"linuxcnc", ""}, {"grbl", "m7"},       {"fanuc", "m7"},
                                                   {"haas", "m83"},  {"mach3", ""},        {"mach4", ""},
                                                   {"marlin", "m7"}, {"heidenhain", "m7"}, {"siemens", "m7"},
-                                                  {"mazak", "m7"},  {"tormach", ""}};
+                                                  {"mazak", "m7"},  {"tormach", ""},      {"okuma", "m7"}};
   ASSERT_EQ(wanted.size(), post::post_dialects().size());
   for (const auto& [dialect, condition] : wanted) {
     SCOPED_TRACE(dialect);
@@ -184,7 +184,7 @@ void expect_same_motion(const std::string& text, const std::string& other, const
 TEST(WorkOffsets, AreThoseOfTheControl) {
   const std::vector<std::string> offsets{"G55",       "G59",        "G59.1",   "G59.3",    "G54.1 P1",
                                          "G54.1 P99", "G54.1 P300", "G154 P1", "G154 P99", "G59 P7",
-                                         "G59 P254",  "G505",       "G599"};
+                                         "G59 P254",  "G505",       "G599",    "G15 H2",   "G15 H200"};
   const std::map<std::string, std::pair<std::vector<std::string>, std::string>> has{
       {"linuxcnc", {{"G55", "G59", "G59.1", "G59.3"}, "it has G54 to G59, G59.1 to G59.3"}},
       {"grbl", {{"G55", "G59"}, "it has G54 to G59"}},
@@ -200,6 +200,7 @@ TEST(WorkOffsets, AreThoseOfTheControl) {
       {"mazak",
        {{"G55", "G59", "G54.1 P1", "G54.1 P99", "G54.1 P300"}, "it has G54 to G59, G54.1 P1 to P300"}},
       {"tormach", {{"G55", "G59", "G59.1", "G59.3"}, "it has G54 to G59, G59.1 to G59.3"}},
+      {"okuma", {{"G15 H2", "G15 H200"}, "it has G15 H1 to H200"}},
       {"siemens", {{"G55", "G505", "G599"}, "it has G54 to G57, G505 to G599"}}};
   ASSERT_EQ(has.size(), post::post_dialects().size());
   for (const auto& [dialect, words] : has) {
@@ -213,7 +214,7 @@ TEST(WorkOffsets, AreThoseOfTheControl) {
       }
       const std::string text = program_at(offset, dialect);
       const std::string blocks = "\n" + text;
-      EXPECT_THAT(blocks, HasSubstr(offset.find('P') == std::string::npos ? " " + offset + " "
+      EXPECT_THAT(blocks, HasSubstr(offset.find(' ') == std::string::npos ? " " + offset + " "
                                                                           : "\n" + offset + "\n"));
       EXPECT_EQ(conditions_of(text, dialect), condition_of(*work_offset_named(offset)));
       expect_same_motion(text, program_at("G54", dialect), dialect);
@@ -225,8 +226,10 @@ TEST(WorkOffsets, AreThoseOfTheControl) {
 TEST(WorkOffsets, AreNamedInAnyCaseWithOrWithoutBlanks) {
   EXPECT_EQ(words_of(*work_offset_named("g54.1p12")), "G54.1 P12");
   EXPECT_EQ(words_of(*work_offset_named("G154 P 7")), "G154 P7");
+  EXPECT_EQ(words_of(*work_offset_named("g15h12")), "G15 H12");
   for (const char* wrong : {"", "G53", "G60", "G59.4", "G54 P2", "G54.1", "G54.1 P0", "G54.1 P-1",
-                            "G154 P1.5", "G504", "G600", "G505 P1"})
+                            "G154 P1.5", "G504", "G600", "G505 P1", "G15",
+                            "G15 P1", "G15 H0"})
     EXPECT_FALSE(work_offset_named(wrong)) << wrong;
 }
 
@@ -243,6 +246,7 @@ const std::vector<std::string> kPlaceBlocks{"G91 G28 Z0",
                                             "G91 G28 Z0.",
                                             "G28 X0. Y0.",
                                             "G90",
+                                            "G30 P1",
                                             "SUPA G0 Z0 D0",
                                             "SUPA G0 X0 Y0 D0",
                                             "G53 G0 Z0.",
@@ -268,6 +272,7 @@ TEST(EndPositions, HomeIsZFirstInTheWordsOfTheControl) {
       {"mach4", {stored, "g28-home"}},
       {"tormach", {stored, "g28-home"}},
       {"mazak", {" G91 G28 Z0. G28 X0. Y0. G90", ""}},
+      {"okuma", {" G30 P1", "g30-home"}},
       {"siemens", {" SUPA G0 Z0 D0 SUPA G0 X0 Y0 D0", ""}},
       {"heidenhain", {" L Z+0 R0 FMAX M91 L X+0 Y+0 R0 FMAX M91", "m91"}}};
   for (const auto& [dialect, words] : wanted) {

@@ -38,7 +38,7 @@ Reach reach_of(const std::string& dialect) {
 
 TEST(Digits, OfMillimetresKeepWallsWithinAMicrometreAndFloorsExact) {
   for (const std::string dialect : {"linuxcnc", "grbl", "fanuc", "haas", "heidenhain", "mach3", "mach4",
-                                    "marlin", "siemens", "mazak", "tormach"}) {
+                                    "marlin", "siemens", "mazak", "tormach", "okuma"}) {
     SCOPED_TRACE(dialect);
     const Reach reach = reach_of(dialect);
     EXPECT_GE(reach.least_x, 3 - 1e-9);

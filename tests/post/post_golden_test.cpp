@@ -41,7 +41,7 @@ std::vector<Case> cases() {
   place.end = *end_position_named("0,40");
   return {
       {"end-home",
-       {"linuxcnc", "grbl", "fanuc", "haas", "heidenhain", "mach3", "mach4", "siemens", "mazak", "tormach"},
+       {"linuxcnc", "grbl", "fanuc", "haas", "heidenhain", "mach3", "mach4", "siemens", "mazak", "tormach", "okuma"},
        home},
       {"end-place", post::post_dialects(), place},
       {"two-tools", post::post_dialects(), {}},

@@ -84,7 +84,8 @@ TEST(Grbl, TakesEveryLine) {
 TEST(Dialects, LinesFitTheControl) {
   const std::map<std::string, std::size_t> limits{
       {"linuxcnc", 255}, {"grbl", 79},       {"fanuc", 80},   {"haas", 80},  {"mach3", 80},   {"mach4", 80},
-      {"marlin", 96},    {"heidenhain", 80}, {"siemens", 80}, {"mazak", 80}, {"tormach", 255}};
+      {"marlin", 96},    {"heidenhain", 80}, {"siemens", 80}, {"mazak", 80}, {"tormach", 255},
+      {"okuma", 80}};
   ASSERT_EQ(limits.size(), post::post_dialects().size());
   for (const auto& [dialect, limit] : limits) {
     for (const bool inch : {false, true}) {
@@ -113,7 +114,7 @@ TEST(Dialects, NumbersAreNeverMinusZeroOrExponents) {
 }
 
 TEST(Dialects, FanucAndHaasAlwaysWriteThePoint) {
-  for (const std::string dialect : {"fanuc", "haas", "mazak"}) {
+  for (const std::string dialect : {"fanuc", "haas", "mazak", "okuma"}) {
     int numbers = 0;
     for (const std::string& line :
          lines_of(post::write_program(RandomPath(6).toolpath(3, 50), Part{}, options_for(dialect, false)))) {
@@ -137,6 +138,7 @@ TEST(Dialects, WordsAControlDoesNotKnowAreNotWritten) {
       {"haas", {"G91.1", "G64", "G28", "M7"}},
       {"mazak", {"G91.1", "G64", "M29"}},
       {"tormach", {"%", "G61", "M29"}},
+      {"okuma", {"G43", "G49", "G53", "G54", "G64", "G91", "G28", "G81", "G98", "M29", "P"}},
       {"siemens", {"%", "(", "G2 R", "G43", "G49", "G80", "G61", "G28", "G21", "G20", "H"}},
   };
   for (const auto& [dialect, words] : never) {

@@ -12,6 +12,7 @@ from cutters import cutters, write_cutters
 from habits import habits
 from holes import holes, write_holes
 from limits import cycles, limits, worst, write_limits
+from okuma import okuma
 from sinumerik import sinumerik
 from takes import entries, leaves, takes, taps, write_takes
 from writer import ALL, CHANGER, OUT, WORD, Class, nothing, rings
@@ -460,7 +461,7 @@ def main():
     write_takes()
     classes = (motion, comments, dialects, conditions, state, blending, small, cycles, limits, worst, holes,
                alone, habits, holder, cutters, leaves, entries, takes, taps,
-               sinumerik)
+               sinumerik, okuma)
     count = sum(make() for make in classes)
     print(count, "cases")
 

@@ -9,10 +9,11 @@ WORD = ["linuxcnc", "grbl", "fanuc", "haas", "mach3", "mach4", "marlin"]
 ALL = WORD + ["heidenhain"]
 CHANGER = ["linuxcnc", "fanuc", "haas", "mach3", "mach4"]
 ENDING = {"linuxcnc": ".ngc", "grbl": ".nc", "fanuc": ".nc", "haas": ".nc", "mach3": ".tap", "mach4": ".tap",
-          "marlin": ".gcode", "heidenhain": ".H", "siemens": ".mpf", "mazak": ".eia", "tormach": ".nc"}
+          "marlin": ".gcode", "heidenhain": ".H", "siemens": ".mpf", "mazak": ".eia", "tormach": ".nc",
+          "okuma": ".min"}
 TOOL = ["endmill:6:T1"]
 #: Controls of machining centres with a magazine: numbers with points, the length on the way down.
-POINTED = ("fanuc", "haas", "mazak")
+POINTED = ("fanuc", "haas", "mazak", "okuma")
 
 
 class Text:
@@ -49,7 +50,7 @@ class Text:
     def dwell(self, seconds):
         if self.d == "heidenhain":
             return ["CYCL DEF 9.0 DWELL TIME", f"CYCL DEF 9.1 DWELL {seconds}"]
-        return ["G4 " + {"fanuc": f"X{seconds}.", "mazak": f"X{seconds}.", "haas": f"P{seconds}.", "marlin": f"S{seconds}", "siemens": f"F{seconds}"}.get(
+        return ["G4 " + {"fanuc": f"X{seconds}.", "mazak": f"X{seconds}.", "haas": f"P{seconds}.", "marlin": f"S{seconds}", "siemens": f"F{seconds}", "okuma": f"F{seconds}."}.get(
             self.d, f"P{seconds}")]
 
 
@@ -78,6 +79,7 @@ class Program:
         self.modes = {"grbl": ["G17 G40 G49 G54 G80 G90 G91.1 G94"], "marlin": ["G90"], "heidenhain": [],
                       "fanuc": ["G17 G40 G49 G54 G80 G90 G94"], "haas": ["G17 G40 G49 G54 G80 G90 G94"],
                       "mazak": ["G17 G40 G49 G54 G80 G90 G94"],
+                      "okuma": ["G17 G40 G80 G90 G94", "G15 H1"],
                       "siemens": ["G17 G40 G54 G90 G94"]}.get(
                           d, ["G17 G40 G49 G54 G80 G90 G91.1 G94"])
         self.path = {"grbl": [], "marlin": [], "siemens": ["G60"],
@@ -89,20 +91,22 @@ class Program:
         self.dwell = t.dwell(2)
         self.approach = [t.rapid(x=10, y=10), t.rapid(z=5)]
         if d in POINTED:
-            self.approach = [t.rapid(x=10, y=10), "G43 H1 Z5."]
+            self.approach = [t.rapid(x=10, y=10), ("G56" if d == "okuma" else "G43") + " H1 Z5."]
         if d == "siemens":
             self.approach = [t.rapid(x=10, y=10), "D1 Z5"]
         self.cut = rings(t, [1, 4, 7])
         self.after = []
         self.retract = [t.rapid(z=5)]
         self.stop = ["M5"]
-        self.tail = {"linuxcnc": ["M2"], "marlin": [], "heidenhain": ["M30"]}.get(d, ["M30"])
+        self.tail = {"linuxcnc": ["M2"], "okuma": ["M2"], "marlin": [], "heidenhain": ["M30"]}.get(d, ["M30"])
 
     def text(self):
         blocks = (self.head + self.units + self.modes + self.path + self.home + self.tool + self.length + self.spindle +
                   self.dwell + self.approach + self.cut + self.after + self.retract + self.stop + self.home + self.tail)
         if self.d in ("fanuc", "mazak"):
             blocks = ["%", "O1234"] + blocks + ["%"]
+        if self.d == "okuma":
+            blocks = blocks + ["%"]
         if self.d == "haas":
             blocks = ["%", "O01234"] + blocks + ["%"]
         if self.d == "heidenhain":

@@ -38,8 +38,9 @@ struct Named {
 constexpr std::array kPlain{Named{"G54", 540},   Named{"G55", 550},   Named{"G56", 560},
                             Named{"G57", 570},   Named{"G58", 580},   Named{"G59", 590},
                             Named{"G59.1", 591}, Named{"G59.2", 592}, Named{"G59.3", 593}};
-/// Before a P word.
-constexpr std::array kNumbered{Named{"G54.1P", 541}, Named{"G59P", 590}, Named{"G154P", 1540}};
+/// Before a number.
+constexpr std::array kNumbered{Named{"G54.1P", 541}, Named{"G59P", 590}, Named{"G154P", 1540},
+                               Named{"G15H", kOkumaOffset}};
 
 std::string g_word(int code) {
   const std::string whole = "G" + std::to_string(code / 10);
@@ -49,12 +50,13 @@ std::string g_word(int code) {
 }  // namespace
 
 std::string words_of(const WorkOffset& offset) {
-  return g_word(offset.code) + (offset.number > 0 ? " P" + std::to_string(offset.number) : "");
+  const char* const letter = offset.code == kOkumaOffset ? " H" : " P";
+  return g_word(offset.code) + (offset.number > 0 ? letter + std::to_string(offset.number) : "");
 }
 
 std::string condition_of(const WorkOffset& offset) {
   std::string name = "g" + g_word(offset.code).substr(1);
-  if (offset.number > 0) name += "-p" + std::to_string(offset.number);
+  if (offset.number > 0) name += (offset.code == kOkumaOffset ? "-h" : "-p") + std::to_string(offset.number);
   return name;
 }
 

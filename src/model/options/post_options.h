@@ -18,7 +18,7 @@ namespace clearcut::inline model {
 /// src/read/gcode/program/dialect.cpp.
 inline constexpr std::string_view kControllers[] = {"linuxcnc",   "grbl",  "fanuc",  "haas",
                                                     "heidenhain", "mach3", "mach4",  "marlin",
-                                                    "siemens",    "mazak", "tormach"};
+                                                    "siemens",    "mazak", "tormach", "okuma"};
 
 inline std::vector<std::string> controller_names() {
   return {std::begin(kControllers), std::end(kControllers)};
@@ -50,24 +50,28 @@ std::string name_of(const EndPosition& end);
 
 struct WorkOffset {
   int code = 540;  ///< G word in tenths
-  int number = 0;  ///< P word, from 1; 0: the word has none
+  int number = 0;  ///< P word, with G15 H word, from 1; 0: the word has none
   friend bool operator==(const WorkOffset&, const WorkOffset&) = default;
 };
 
 /// Codes of Sinumerik's settable offsets beyond G54 to G57: G505 to G599.
 inline constexpr int kFirstSettable = 5050, kLastSettable = 5990;
 
-/// Words in a program: "G55", "G59.1", "G54.1 P12".
+/// Code of Okuma's offsets, G15 H.
+inline constexpr int kOkumaOffset = 150;
+
+/// Words in a program: "G55", "G59.1", "G54.1 P12", "G15 H2".
 std::string words_of(const WorkOffset& offset);
-/// Name of the condition that this offset is at the work's zero: "g55", "g59.1", "g54.1-p12".
+/// Name of the condition that this offset is at the work's zero: "g55", "g59.1", "g54.1-p12", "g15-h2".
 std::string condition_of(const WorkOffset& offset);
 
-/// G54 to G59.3, G505 to G599, G54.1 P, G59 P and G154 P, in any case, with or without blanks; nothing for other
+/// G54 to G59.3, G505 to G599, G54.1 P, G59 P, G154 P and G15 H, in any case, with or without blanks; nothing for other
 /// texts.
 std::optional<WorkOffset> work_offset_named(std::string_view text);
 /// For messages: the words of all known offsets.
 inline constexpr std::string_view kKnownWorkOffsets =
-    "G54 to G59, G59.1 to G59.3, G54.1 P1 to P300, G154 P1 to P99, G59 P7 to P254, G505 to G599";
+    "G54 to G59, G59.1 to G59.3, G54.1 P1 to P300, G154 P1 to P99, G59 P7 to P254, G505 to G599, "
+    "G15 H1 to H200";
 
 /// Paths of the tool's centre that the control shifts by what a D word holds, 0 with a new tool.
 struct WearCompensation {

@@ -119,6 +119,7 @@ class BeginWriter {
 
   /// As the control counts it.
   std::string dwell() const {
+    if (rules_.osp_words) return "G4 " + place_word('F', held_.spindle_wait, 3);
     if (is_sinumerik()) return "G4 F" + trimmed(held_.spindle_wait, 3);
     if (rules_.dwell_in_ms) return "G4 P" + trimmed(std::ceil(held_.spindle_wait * 1000), 0);
     return "G4 P" + trimmed(held_.spindle_wait, 3);
@@ -129,13 +130,13 @@ class BeginWriter {
     const ToolLength& length = held_.modes.length;
     switch (length.kind) {
       case LengthKind::kNumbered:
-        return fmt::format("G43 H{}", length.h);
+        return fmt::format("{} H{}", rules_.length_on, length.h);
       case LengthKind::kOfTool:
         return "G43";
       case LengthKind::kStatedHeight:
         return "G43.1 " + place_word('Z', length.stated_mm / held_.modes.unit);
       case LengthKind::kOff:
-        return "G49";
+        return std::string(rules_.length_off);
       default:
         return "";
     }

@@ -445,7 +445,7 @@ TEST(Resume, RandomStopsMakeTheSamePart) {
   Random random(49);
   Counted counted;
   for (const char* dialect : {"linuxcnc", "grbl", "fanuc", "haas", "mach3", "mach4", "mazak", "tormach",
-                              "marlin", "heidenhain", "siemens"}) {
+                              "marlin", "heidenhain", "siemens", "okuma"}) {
     for (const bool inch : {false, true}) {
       if (inch && std::string(dialect) == "marlin") continue;
       PlanOptions options = with({"endmill:6", "drill:5"});

@@ -167,6 +167,31 @@ constexpr std::array kDialects{
                .cycles = CycleForm::kWords,
                .modal_cycles = true,
                .subprograms = SubprogramForm::kOWords},
+    // Okuma's OSP: G20 and G21 confirm the unit that is set; G54 to G59 are lengths of tools there. Its cycles return to a level
+    // of their own (G71, M53) and G80 may stop the spindle, so that holes are moves.
+    IsoDialect{.name = "okuma",
+               .extension = ".min",
+               .mm_decimals = 3,
+               .inch_decimals = 4,
+               .always_point = true,
+               .tape = true,
+               .program_digits = 4,
+               .safe_start = "G17 G40 G80 G90 G94",
+               .first_offset = {kOkumaOffset, 1},
+               .numbered_offsets = {{{kOkumaOffset, 1, 200}}},
+               .path_control = PathControl::kExactStop,
+               .exact_stop_halts = true,
+               .length_offset = LengthOffset::kWithApproach,
+               .length_word = "G56",
+               .home = HomeForm::kHomePosition,
+               .dwell = DwellForm::kFSeconds,
+               .radius = RadiusWord::kUnwritten,
+               .entered_at_tools = true,
+               .numbers_tools = true,
+               .preselects = true,
+               .dogleg_rapids = true,
+               .end = "M2",
+               .largest_radius = 1000},
 };
 
 /// Klartext has a writer of its own.
@@ -212,9 +237,17 @@ std::vector<std::string_view> coolant_words(Coolant held, Coolant wanted, const 
   return words;
 }
 
+namespace {
+
+bool has_plain_offsets(const IsoDialect& dialect) {
+  return dialect.safe_start.find("G54") != std::string_view::npos;
+}
+
+}  // namespace
+
 bool has_work_offset(const IsoDialect& dialect, const WorkOffset& offset) {
-  if (dialect.safe_start.find("G54") == std::string_view::npos) return false;
   if (offset.number == 0) {
+    if (!has_plain_offsets(dialect)) return false;
     if (offset.code >= kFirstSettable) return dialect.settable_offsets;
     return offset.code % 10 == 0 ? offset.code <= dialect.last_offset : dialect.fractional_offsets;
   }
@@ -225,18 +258,23 @@ bool has_work_offset(const IsoDialect& dialect, const WorkOffset& offset) {
 }
 
 std::string work_offsets_of(const IsoDialect& dialect) {
-  if (!has_work_offset(dialect, {})) return "";
-  std::string text = "G54 to " + words_of({dialect.last_offset, 0});
-  if (dialect.fractional_offsets) text += ", G59.1 to G59.3";
-  if (dialect.settable_offsets)
-    text += ", " + words_of({kFirstSettable, 0}) + " to " + words_of({kLastSettable, 0});
+  std::string text;
+  const auto add = [&](const std::string& first, const std::string& last) {
+    text.append(text.empty() ? "" : ", ").append(first).append(" to ").append(last);
+  };
+  if (has_plain_offsets(dialect)) add("G54", words_of({dialect.last_offset, 0}));
+  if (dialect.fractional_offsets) add("G59.1", "G59.3");
+  if (dialect.settable_offsets) add(words_of({kFirstSettable, 0}), words_of({kLastSettable, 0}));
   for (const NumberedOffsets& one : dialect.numbered_offsets) {
-    if (one.last > 0) text += ", " + words_of({one.code, one.first}) + " to P" + std::to_string(one.last);
+    if (one.last == 0) continue;
+    const std::string last = words_of({one.code, one.last});
+    add(words_of({one.code, one.first}), last.substr(last.find(' ') + 1));
   }
   return text;
 }
 
-std::vector<std::string> mode_blocks(const IsoDialect& dialect, const WorkOffset& offset) {
+std::vector<std::string> mode_blocks(const IsoDialect& dialect, const WorkOffset& asked) {
+  const WorkOffset offset = asked == WorkOffset{} ? dialect.first_offset : asked;
   const std::string_view first = "G54 ";
   std::string words(dialect.safe_start);
   const bool numbered = offset.number > 0;
@@ -257,6 +295,7 @@ std::vector<std::string> later_mode_blocks(const IsoDialect& dialect, const Work
 std::vector<std::string> home_blocks(const IsoDialect& dialect) {
   const std::string zero = dialect.always_point ? "0." : "0";
   if (dialect.home == HomeForm::kSuppressed) return {"SUPA G0 Z0 D0", "SUPA G0 X0 Y0 D0"};
+  if (dialect.home == HomeForm::kHomePosition) return {"G30 P1"};
   if (dialect.home == HomeForm::kMachineZero) return {"G53 G0 Z" + zero, "G53 G0 X" + zero + " Y" + zero};
   return {"G91 G28 Z" + zero, "G28 X" + zero + " Y" + zero, "G90"};
 }

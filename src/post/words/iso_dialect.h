@@ -24,7 +24,7 @@ enum class LengthOffset {
   kNone,
   kPlain,         ///< G43
   kNumbered,      ///< G43 H2
-  kWithApproach,  ///< G43 H2 Z25. as the first move down
+  kWithApproach,  ///< G43 H2 Z25. (or the word of the row) as the first move down
   kEdge           ///< D1 Z25. likewise: the length of the tool's first edge
 };
 /// Place of Z for tool changes and at the end.
@@ -33,7 +33,8 @@ enum class HomeForm {
   kSwitches,     ///< likewise, and G28 drives to the end switches
   kMachineZero,  ///< G53 G0 Z0.
   kReference,    ///< G91 G28 Z0. and G90
-  kSuppressed    ///< SUPA G0 Z0 D0: no frame and no length count in the block
+  kSuppressed,   ///< SUPA G0 Z0 D0: no frame and no length count in the block
+  kHomePosition  ///< no place while it works; home is G30 P1, stored in the control
 };
 /// Form of tapping of a control.
 enum class Tapping {
@@ -47,6 +48,7 @@ enum class DwellForm { kPSeconds, kXSeconds, kSSeconds, kFSeconds };
 /// What G41 says beside itself.
 enum class RadiusWord {
   kNone,      ///< the control does not compensate
+  kUnwritten, ///< it does, and no words for it are written here
   kNumbered,  ///< D and the tool's number
   kOfEdge     ///< nothing: it takes the radius of the edge in force
 };
@@ -72,7 +74,7 @@ struct MistWords {
   std::string_view off = {};  ///< empty: M9 ends mist, too
 };
 
-/// Work offsets called by a P word, from `first` to `last`; last 0: none.
+/// Work offsets called by a P or H word, from `first` to `last`; last 0: none.
 struct NumberedOffsets {
   int code = 0;  ///< G word in tenths
   int first = 1, last = 0;
@@ -93,6 +95,7 @@ struct IsoDialect {
   std::string_view metric = "G21";
   std::string_view inches = "G20";
   std::string_view safe_start = "G17 G40 G49 G54 G80 G90 G91.1 G94";
+  WorkOffset first_offset = {};     ///< where none is asked for
   int last_offset = 590;            ///< G54 to this, in tenths
   bool fractional_offsets = false;  ///< G59.1 to G59.3
   bool settable_offsets = false;    ///< G505 to G599
@@ -105,6 +108,7 @@ struct IsoDialect {
   bool tool_word = true;         ///< T
   bool pause_says_tool = false;  ///< M0 shows the text after it
   LengthOffset length_offset = LengthOffset::kNone;
+  std::string_view length_word = "G43";
   HomeForm home = HomeForm::kSafeHeight;
   DwellForm dwell = DwellForm::kPSeconds;
   double spindle_wait = 0;      ///< s

@@ -47,11 +47,6 @@ bool is_iso_of_heidenhain(std::string_view start) {
   return line.size() > 1 && line.back() == '*' && (line[0] == '%' || line[0] == 'N' || line[0] == 'G');
 }
 
-/// "$PART.MIN%": the name of the file.
-bool is_okuma(std::string_view start) {
-  return start[0] == '$' && first_line(start).find('%') != std::string_view::npos;
-}
-
 /// Commands of two letters with values behind commas; comments begin with an apostrophe.
 bool is_shopbot(std::string_view start) {
   const std::string_view line = first_block(start, [](std::string_view one) {
@@ -83,7 +78,6 @@ struct OtherLanguage {
 };
 constexpr OtherLanguage kOtherLanguages[] = {
     {is_iso_of_heidenhain, "a program in Heidenhain's ISO language", "post it as Klartext (BEGIN PGM)"},
-    {is_okuma, "a program for Okuma's OSP", "post it for a control that --dialect names"},
     {is_shopbot, "a program of ShopBot commands", "post it for a control that --dialect names"},
     {is_plot, "a plot file (HPGL)", "give the drawing to `clearcut plan` as SVG or DXF"},
     {is_cutter_location, "cutter location data (APT)", kGive}};

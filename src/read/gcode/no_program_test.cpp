@@ -57,7 +57,6 @@ TEST(NoProgram, ProgramsInOtherLanguagesAreNamed) {
       {"%PLATE G71 *\nN10 G30 G17 X+0 Y+0 Z-10 *\nN20 T1 G17 S5000 *\n",
        "this is a program in Heidenhain's ISO"},
       {"N10 G71 *\r\nN20 G00 X+1 *\r\n", "this is a program in Heidenhain's ISO"},
-      {"$PLATE.MIN%\nO0001\nG15 H1\n", "this is a program for Okuma"},
       {"'----\n'SHOPBOT ROUTER FILE IN MM\nIF %(25)=0 THEN GOTO UNIT_ERROR\nSA  \t'absolute\nJZ,20\n",
        "this is a program of ShopBot"},
       {"MS,25.4,12.7\nJ2,0,0\n", "this is a program of ShopBot"},

@@ -26,7 +26,7 @@ struct Traits {
   bool length_plain = false;
   bool length_numbered = false;
   bool dwell_x = false;
-  bool haas = false, fanuc = false, linuxcnc = false;
+  bool haas = false, fanuc = false, linuxcnc = false, okuma = false;
   bool tool = false;
   bool beyond_grbl = false;
   bool arcs_stated = false;    ///< G91.1
@@ -50,7 +50,8 @@ constexpr ControlWord kControlWords[] = {
     {"EMC2", Dialect::kLinuxCnc}, {"MACH2", Dialect::kMach3},       {"MACH3", Dialect::kMach3},
     {"MACH4", Dialect::kMach4},   {"PATHPILOT", Dialect::kTormach}, {"TORMACH", Dialect::kTormach},
     {"HAAS", Dialect::kHaas},     {"FANUC", Dialect::kFanuc},       {"MAZAK", Dialect::kMazak},
-    {"MARLIN", Dialect::kMarlin}};
+    {"MARLIN", Dialect::kMarlin}, {"OKUMA", Dialect::kOkuma},
+    {"OSP", Dialect::kOkuma}};
 
 /// Words end at everything but letters and digits: "Mach2/3" and "grbl_post.py" name their controls.
 void note_named_controls(std::string_view comment, std::vector<Dialect>& named) {
@@ -87,6 +88,7 @@ void note_traits(const Block& block, std::string_view line, Traits& traits) {
     (semicolon ? traits.semicolons : traits.parentheses) = true;
     note_named_controls(comment, traits.named);
   }
+  traits.okuma = traits.okuma || block.names_file;
   const auto missing = rules_of(Dialect::kLinuxCnc).g.missing;
   for (const int code : block.g) {
     traits.blend_bound = traits.blend_bound || (code == 640 && block.has('P'));
@@ -95,6 +97,8 @@ void note_traits(const Block& block, std::string_view line, Traits& traits) {
     traits.length_numbered = traits.length_numbered || (code == 430 && block.has('H'));
     traits.dwell_x = traits.dwell_x || (code == 40 && block.has('X') && !block.has('P'));
     traits.haas = traits.haas || code == 1870 || code == 1540;
+    const bool other_length = has_g(block, 430) || has_g(block, 440);
+    traits.okuma = traits.okuma || (block.has('H') && (code == 150 || (code == 560 && !other_length)));
     traits.fanuc = traits.fanuc || code == 541 || code == 51;
     traits.linuxcnc = traits.linuxcnc || code == 281 || code == 301 || code == 923;
     traits.arcs_stated = traits.arcs_stated || code == 911;
@@ -166,6 +170,7 @@ struct Clue {
 
 /// Words of one control alone. Of these clues, as of those below, the first that is there counts.
 constexpr Clue kWordsOfOne[] = {
+    {[](const Traits& of) { return of.okuma; }, {Dialect::kOkuma, true, {}}},
     {[](const Traits& of) { return of.haas; }, {Dialect::kHaas, false, {}}},
     {[](const Traits& of) { return of.o_words; }, {Dialect::kLinuxCnc, true, {}}},
     {[](const Traits& of) { return of.fanuc || of.dwell_x; }, {Dialect::kFanuc, false, {}}},

@@ -127,6 +127,9 @@ MmPerMin Control::feed_for(double length, const Block& block) const {
 void Control::before_feed() {
   check_length();
   note_tool_in_spindle();
+  if (spindle_may_stand)
+    condition("g80-spindle", "the spindle still turns after the G80 above, which may have stopped it");
+  spindle_may_stand = false;
   const PathMode mode = modes.path.mode;
   if (mode == PathMode::kUnstated) {
     condition("blending", std::string(rules.no_path_word) +

@@ -106,7 +106,8 @@ class Follower {
     Control& control = interpreter_.control();
     StopBlock stop;
     stop.line = block_.line;
-    stop.moves = has_places(block_, said_or(control.motion));
+    const bool is_level = rules_.osp_words && has_g(block_, 710);
+    stop.moves = !is_level && has_places(block_, said_or(control.motion));
     stop.changes_tool = std::find(block_.m.begin(), block_.m.end(), 60) != block_.m.end();
     const Target& at = builder_.position();
     stop.is_placed = at[0] && at[1] && at[2];
@@ -146,7 +147,8 @@ class Follower {
     const int tool = builder_.drive.tool;
     interpreter_.execute(block_);
     if (builder_.drive.tool != tool) old_length_ = control.modes.length.kind == LengthKind::kNumbered;
-    for (const int code : block_.g) keep(code);
+    for (const int code : block_.g)
+      if (!rules_.osp_words || !keep_osp(code)) keep(code);
     for (const int m : block_.m) keep_m(m);
     keep_coolant(coolant);
   }
@@ -196,6 +198,13 @@ class Follower {
         }
         if (code == 530) keep_home(code, control.modes.absolute);
     }
+  }
+
+  /// Whether the word is one of OSP's, which says something else on other controls.
+  bool keep_osp(int code) {
+    if (code == kOkumaOffset) words_.offset = with_letters(block_, code, "H");
+    if (code == 560) old_length_ = false;
+    return code == kOkumaOffset || code == 160 || code == 530 || code == 560 || code == 710;
   }
 
   void keep_once(int code) {

@@ -8,12 +8,21 @@
 
 #include "base/text.h"
 #include "read/gcode/control/motion_words.h"
+#include "read/gcode/control/osp_words.h"
 #include "read/gcode/words/block.h"
 
 namespace clearcut::read::gcode {
 
 void Interpreter::execute(const Block& block) {
   control_.line = block.line;
+  if (control_.rules.osp_words) return execute_shared(without_osp_words(block, control_));
+  if (block.names_program)
+    control_.refuse("a name of letters behind O is a word of Okuma's OSP alone; give the program a number");
+  execute_shared(block);
+}
+
+/// Words that mean the same on all word-address controls.
+void Interpreter::execute_shared(const Block& block) {
   if (block.optional) note_block_delete();
   if (block.delete_level > 0 && control_.rules.macros != MacroLanguage::kFanuc)
     control_.refuse("'/" + std::to_string(block.delete_level) +

@@ -26,6 +26,7 @@ class Interpreter {
   void note_block_delete();
 
  private:
+  void execute_shared(const Block& block);
   void check(const Block& block) const;
 
   Control control_;

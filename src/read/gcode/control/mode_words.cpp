@@ -140,9 +140,8 @@ void ModeWords::set_other(int code, const Block& block) {
 
 void ModeWords::set_path(int code, const Block& block) {
   PathControl path;
-  const bool fanuc_like = control_.rules.home_is_top;
   if (code == 610) {
-    path.mode = fanuc_like ? PathMode::kExactStop : PathMode::kExactPath;
+    path.mode = control_.rules.g61_halts ? PathMode::kExactStop : PathMode::kExactPath;
   } else if (code == 611) {
     path.mode = PathMode::kExactStop;
   } else if (code == 640) {

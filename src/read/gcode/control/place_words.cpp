@@ -144,7 +144,7 @@ void PlaceWords::machine_frame(const Block& block) {
   control_.moved = true;
   if (!control_.options.places) {
     const bool top = control_.rules.home_is_top && (!block.has('Z') || block.value('Z') == 0);
-    return go_to_unknown(block, "g53", false, top);
+    return go_to_unknown(block, control_.rules.osp_words ? "g16" : "g53", false, top);
   }
   Target to;
   for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -33,6 +33,11 @@ constexpr int kFirstOfUser = 1000, kLastOfUser = 1990;
 constexpr int kSpindleAndFlood[] = {130, 140};
 constexpr int kMissingOnMarlin[] = {130, 140, 480};
 
+// Words of others that OSP has not, or that do something else there: look-ahead, G12 and G13, scaling, shifts, arcs about centers said
+// from the zero, inverse time, return levels.
+constexpr int kMissingOnOsp[] = {80,  120, 130, 490, 500, 510, 520, 690, 901, 911, 921, 922, 923, 930,
+                                 970, 980, 990};
+
 /// NIST's interpreter and its descendants: LinuxCNC, Mach, PathPilot.
 constexpr CompensationRules kOfInterpreter{.entry = EntryRule::kAcrossEntry,
                                            .tangent = 0.05,
@@ -165,6 +170,7 @@ constexpr std::array kRules{
         .scaling = ScalingWords::kThousandths,
         .radius_beats_center = true,
         .home_is_top = true,
+        .g61_halts = true,
         .no_home_in_cycle = true,
         .adds_to_offsets = true,
         .points_matter = true,
@@ -196,6 +202,7 @@ constexpr std::array kRules{
                  .scaling = ScalingWords::kFactor,
                  .radius_beats_center = true,
                  .home_is_top = true,
+                 .g61_halts = true,
                  .resets_modes = true,
                  .points_matter = true,
                  .dwell_in_ms = true,
@@ -266,6 +273,7 @@ constexpr std::array kRules{
                  .boring = BoringWords::kFanuc,
                  .radius_beats_center = true,
                  .home_is_top = true,
+                 .g61_halts = true,
                  .no_home_in_cycle = true,
                  .adds_to_offsets = true,
                  .points_matter = true,
@@ -280,6 +288,23 @@ constexpr std::array kRules{
                  .radius_number_stays = true},
     // PathPilot is built on LinuxCNC's interpreter. Its work offsets by number (G54.1 P) are not read.
     tormach_rules(),
+    // OSP-P: its own words are taken apart in control/osp_words.cpp, and the rest is as on other controls. Which way rapids go is a
+    // parameter; macros (VC1=, IF, GOTO, CALL) are refused.
+    DialectRules{.dialect = Dialect::kOkuma,
+                 .name = "okuma",
+                 .title = "Okuma OSP",
+                 .needs_lengths = true,
+                 .changer_alone = true,
+                 .g = {.sets = kDrillCycles | kToolLengths, .missing = kMissingOnOsp},
+                 .stray_words = StrayWords::kCorners,
+                 .lengths_by_number = true,
+                 .cycle_goes_over_below_r = true,
+                 .g61_halts = true,
+                 .points_matter = true,
+                 .mist_needs = "what M7 does is the machine builder's choice; it switches the mist on",
+                 .osp_words = true,
+                 .length_on = "G56",
+                 .length_off = "G53"},
 };
 
 constexpr bool rows_are_in_order() {

@@ -152,6 +152,7 @@ struct DialectRules {
   bool feed_mode_drops_feed = false;     ///< G93, G94, G95 end the feed in force, also in the same mode
   bool radius_beats_center = false;      ///< R with I, J: R is taken
   bool home_is_top = false;              ///< machine Z zero is the upper end of the travel
+  bool g61_halts = false;                ///< G61 halts at the end of every block, else it only keeps to the path
   bool home_is_switches = false;         ///< G28 drives to the end switches, past no place on the way
   bool no_home_in_cycle = false;         ///< G28 and G30 within a drilling cycle are an alarm
   bool adds_to_offsets = false;          ///< G10 L2 in G91 adds to the offset
@@ -182,6 +183,8 @@ struct DialectRules {
   std::string_view mist_needs = {};      ///< what must hold for them; empty: every such control has them
   CompensationRules compensation = {};
   bool radius_number_stays = false;  ///< D holds until another: G41 takes the last one
+  bool osp_words = false;            ///< G15 H, G56 H, G53, G4 F, G71 with M53, as in control/osp_words.h
+  std::string_view length_on = "G43", length_off = "G49";
   bool radius_of_edge = false;       ///< G41 takes the radius of the tool in the spindle, whatever D says
 };
 

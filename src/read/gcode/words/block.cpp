@@ -48,6 +48,19 @@ bool is_flow(std::string_view rest) {
   return false;
 }
 
+/// The word of several letters at the beginning of `rest` by which OSP calls, repeats and leaves out, or the name of its variable
+/// (VC1, VZOFX[1]); "" for others.
+std::string_view osp_word(std::string_view rest) {
+  constexpr std::string_view kWords[] = {"CALL", "RTS", "MODIN", "MODOUT", "NCYL", "NOEX"};
+  for (const std::string_view one : kWords) {
+    const bool is_there = std::equal(one.begin(), one.end(), rest.begin(), rest.begin() + std::min(one.size(), rest.size()),
+                                     [](char a, char b) { return a == std::toupper(static_cast<unsigned char>(b)); });
+    if (is_there) return rest.substr(0, one.size());
+  }
+  const bool is_variable = rest.size() > 1 && std::toupper(static_cast<unsigned char>(rest[0])) == 'V' && is_letter(rest[1]);
+  return is_variable ? rest.substr(0, std::min(rest.find_first_of(" \t[="), rest.size())) : std::string_view{};
+}
+
 /// Letters and a bracket, as in SIN[30].
 bool is_function(std::string_view rest) {
   std::size_t at = 0;
@@ -78,7 +91,7 @@ int tenths(double value, char letter, const std::string& place) {
 
 void Block::clear() {
   line = delete_level = 0;
-  optional = percent = has_text = false;
+  optional = percent = names_file = names_program = has_text = false;
   g.clear();
   m.clear();
   comments.clear();
@@ -118,6 +131,9 @@ void BlockReader::parse(std::string_view line, Block& block) const {
       parse_comment(line, at, block);
     } else if (c == '%') {
       block.percent = true;
+      return;
+    } else if (c == '$' && first && line.substr(0, line.find_last_not_of(" \t") + 1).ends_with('%')) {
+      block.names_file = true;
       return;
     } else if (c == '/' && first) {
       block.optional = true;
@@ -164,6 +180,16 @@ void BlockReader::parse_word(std::string_view line, std::size_t& at, Block& bloc
   }
   const char letter = c == ':' ? 'O' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   if (is_flow(line.substr(at))) throw MacroError(place(block.line), kNoFlow);
+  if (const std::string_view word = osp_word(line.substr(at)); !word.empty())
+    throw MacroError(place(block.line), "'" + std::string(word) +
+                                            "' is a word of OSP's macros and calls, which are not read; post the "
+                                            "moves themselves");
+  if (c != ':' && letter == 'O' && at + 1 < line.size() && is_letter(line[at + 1])) {
+    while (++at < line.size() && std::isalnum(static_cast<unsigned char>(line[at])) != 0) {
+    }
+    block.names_program = true;
+    return;
+  }
   const std::size_t begin = ++at;
   const double number = parse_number(line, at, letter, block.line);
   if (letter == 'O' && at < line.size() && is_letter(line[at])) throw MacroError(place(block.line), kNoFlow);
@@ -210,7 +236,7 @@ double BlockReader::parse_number(std::string_view line, std::size_t& at, char le
     if (count == sizeof digits) throw InputError(place(number), "number with too many digits; shorten it");
     digits[count++] = line[at];
   }
-  if (at < line.size() && (line[at] == '#' || line[at] == '[' || line[at] == '<'))
+  if (at < line.size() && (line[at] == '#' || line[at] == '[' || line[at] == '<' || line[at] == '='))
     throw MacroError(place(number), kNoParameters);
   if (count == 0 && is_function(line.substr(at))) throw MacroError(place(number), kNoParameters);
   if (count > 0 && has_exponent(line, at)) {
