@@ -1271,7 +1271,7 @@ std::vector<Row> controller_rows() {
        .level = Level::kFirst,
        .kind = kText,
        .sentence = "Work offset of the part's zero: G54 to G59, or as the controller has them G59.1 to "
-                   "G59.3, \"G54.1 P1\" to P300, \"G154 P1\" to P99",
+                   "G59.3, \"G54.1 P1\" to P300, \"G154 P1\" to P99, \"G15 H1\" to H200",
        .fallback = "G54",
        .field = work_offset_field(),
        .names = {"G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"},

@@ -523,7 +523,8 @@ void IsoWriter::load_by_changer(int number) {
   // The magazine turns while this tool works.
   if (dialect_.preselects && changed_ < changes_.size()) out_.line(fmt::format("T{}", changes_[changed_]));
   if (length_offset() == LengthOffset::kPlain) out_.line("G43");
-  if (length_offset() == LengthOffset::kNumbered) out_.line(fmt::format("G43 H{}", number));
+  if (length_offset() == LengthOffset::kNumbered)
+    out_.line(fmt::format("{} H{}", dialect_.length_word, number));
   held_.length_due = length_offset() == LengthOffset::kWithApproach || length_offset() == LengthOffset::kEdge;
   // The first edge counts from the change on, unless a word states another one.
   if (dialect_.length_offset == LengthOffset::kEdge && !held_.length_due) out_.line("D0");
@@ -607,7 +608,7 @@ void IsoWriter::descend_with_length(const Ticks& start) {
 
 void IsoWriter::take_length_above(const Ticks& start) {
   rapid_to_plan(start);
-  out_.word(dialect_.length_offset == LengthOffset::kEdge ? "D1" : fmt::format("{} H{}", dialect_.length_word, held_.tool));
+  out_.word(dialect_.length_offset == LengthOffset::kEdge ? "D1" : fmt::format("G43 H{}", held_.tool));
   axis_word('Z', safe_z_);
   out_.end_block();
   held_.at.z = safe_z_;

@@ -228,8 +228,7 @@ TEST(WorkOffsets, AreNamedInAnyCaseWithOrWithoutBlanks) {
   EXPECT_EQ(words_of(*work_offset_named("G154 P 7")), "G154 P7");
   EXPECT_EQ(words_of(*work_offset_named("g15h12")), "G15 H12");
   for (const char* wrong : {"", "G53", "G60", "G59.4", "G54 P2", "G54.1", "G54.1 P0", "G54.1 P-1",
-                            "G154 P1.5", "G504", "G600", "G505 P1", "G15",
-                            "G15 P1", "G15 H0"})
+                            "G154 P1.5", "G504", "G600", "G505 P1", "G15", "G15 P1", "G15 H0"})
     EXPECT_FALSE(work_offset_named(wrong)) << wrong;
 }
 
@@ -241,19 +240,10 @@ std::string program_to(const EndPosition& end, const std::string& dialect) {
   return post::write_program(cuts({kOff, kOff}), Part{}, options);
 }
 
-const std::vector<std::string> kPlaceBlocks{"G91 G28 Z0",
-                                            "G28 X0 Y0",
-                                            "G91 G28 Z0.",
-                                            "G28 X0. Y0.",
-                                            "G90",
-                                            "G30 P1",
-                                            "SUPA G0 Z0 D0",
-                                            "SUPA G0 X0 Y0 D0",
-                                            "G53 G0 Z0.",
-                                            "G53 G0 X0. Y0.",
-                                            "M5",
-                                            "L Z+0 R0 FMAX M91",
-                                            "L X+0 Y+0 R0 FMAX M91"};
+const std::vector<std::string> kPlaceBlocks{
+    "G91 G28 Z0", "G28 X0 Y0",         "G91 G28 Z0.",          "G28 X0. Y0.", "G90",
+    "G30 P1",     "SUPA G0 Z0 D0",     "SUPA G0 X0 Y0 D0",     "G53 G0 Z0.",  "G53 G0 X0. Y0.",
+    "M5",         "L Z+0 R0 FMAX M91", "L X+0 Y+0 R0 FMAX M91"};
 
 /// What comes after the spindle has stopped for good, of those words.
 std::string after_the_last_stop(const std::string& program) {

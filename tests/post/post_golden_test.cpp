@@ -39,15 +39,15 @@ std::vector<Case> cases() {
   home.end = *end_position_named("home");
   PostOptions place;
   place.end = *end_position_named("0,40");
-  return {
-      {"end-home",
-       {"linuxcnc", "grbl", "fanuc", "haas", "heidenhain", "mach3", "mach4", "siemens", "mazak", "tormach", "okuma"},
-       home},
-      {"end-place", post::post_dialects(), place},
-      {"two-tools", post::post_dialects(), {}},
-      {"circles", post::post_dialects(), {}},
-      {"lines-only", {"grbl", "marlin"}, lines},
-      {"by-hand", {"linuxcnc", "mach4", "fanuc"}, by_hand}};
+  return {{"end-home",
+           {"linuxcnc", "grbl", "fanuc", "haas", "heidenhain", "mach3", "mach4", "siemens", "mazak",
+            "tormach", "okuma"},
+           home},
+          {"end-place", post::post_dialects(), place},
+          {"two-tools", post::post_dialects(), {}},
+          {"circles", post::post_dialects(), {}},
+          {"lines-only", {"grbl", "marlin"}, lines},
+          {"by-hand", {"linuxcnc", "mach4", "fanuc"}, by_hand}};
 }
 
 fs::path folder_of(const Case& c) {

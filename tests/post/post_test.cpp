@@ -83,9 +83,8 @@ TEST(Grbl, TakesEveryLine) {
 
 TEST(Dialects, LinesFitTheControl) {
   const std::map<std::string, std::size_t> limits{
-      {"linuxcnc", 255}, {"grbl", 79},       {"fanuc", 80},   {"haas", 80},  {"mach3", 80},   {"mach4", 80},
-      {"marlin", 96},    {"heidenhain", 80}, {"siemens", 80}, {"mazak", 80}, {"tormach", 255},
-      {"okuma", 80}};
+      {"linuxcnc", 255}, {"grbl", 79},       {"fanuc", 80},   {"haas", 80},  {"mach3", 80},    {"mach4", 80},
+      {"marlin", 96},    {"heidenhain", 80}, {"siemens", 80}, {"mazak", 80}, {"tormach", 255}, {"okuma", 80}};
   ASSERT_EQ(limits.size(), post::post_dialects().size());
   for (const auto& [dialect, limit] : limits) {
     for (const bool inch : {false, true}) {

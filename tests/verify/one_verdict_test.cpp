@@ -20,7 +20,7 @@ namespace clearcut {
 namespace {
 
 constexpr const char* kControls[] = {"linuxcnc", "grbl",    "fanuc", "haas",    "heidenhain", "mach3",
-                                     "mach4",    "siemens", "mazak", "tormach", "marlin", "okuma"};
+                                     "mach4",    "siemens", "mazak", "tormach", "marlin",     "okuma"};
 
 /// Verdict and the names of faults and conditions, those that are met included.
 std::string told(const Findings& findings) {

@@ -16,8 +16,8 @@ namespace clearcut::inline model {
 
 /// Their rows are in src/post/words/iso_dialect.cpp (Klartext has a writer of its own) and
 /// src/read/gcode/program/dialect.cpp.
-inline constexpr std::string_view kControllers[] = {"linuxcnc",   "grbl",  "fanuc",  "haas",
-                                                    "heidenhain", "mach3", "mach4",  "marlin",
+inline constexpr std::string_view kControllers[] = {"linuxcnc",   "grbl",  "fanuc",   "haas",
+                                                    "heidenhain", "mach3", "mach4",   "marlin",
                                                     "siemens",    "mazak", "tormach", "okuma"};
 
 inline std::vector<std::string> controller_names() {

@@ -181,7 +181,7 @@ constexpr std::array kDialects{
                .numbered_offsets = {{{kOkumaOffset, 1, 200}}},
                .path_control = PathControl::kExactStop,
                .exact_stop_halts = true,
-               .length_offset = LengthOffset::kWithApproach,
+               .length_offset = LengthOffset::kNumbered,
                .length_word = "G56",
                .home = HomeForm::kHomePosition,
                .dwell = DwellForm::kFSeconds,

@@ -24,7 +24,7 @@ enum class LengthOffset {
   kNone,
   kPlain,         ///< G43
   kNumbered,      ///< G43 H2
-  kWithApproach,  ///< G43 H2 Z25. (or the word of the row) as the first move down
+  kWithApproach,  ///< G43 H2 Z25. as the first move down
   kEdge           ///< D1 Z25. likewise: the length of the tool's first edge
 };
 /// Place of Z for tool changes and at the end.
@@ -47,10 +47,10 @@ enum class Tapping {
 enum class DwellForm { kPSeconds, kXSeconds, kSSeconds, kFSeconds };
 /// What G41 says beside itself.
 enum class RadiusWord {
-  kNone,      ///< the control does not compensate
-  kUnwritten, ///< it does, and no words for it are written here
-  kNumbered,  ///< D and the tool's number
-  kOfEdge     ///< nothing: it takes the radius of the edge in force
+  kNone,       ///< the control does not compensate
+  kUnwritten,  ///< it does, and no words for it are written here
+  kNumbered,   ///< D and the tool's number
+  kOfEdge      ///< nothing: it takes the radius of the edge in force
 };
 /// How a program calls the cycles that make a hole.
 enum class CycleForm {
@@ -108,7 +108,7 @@ struct IsoDialect {
   bool tool_word = true;         ///< T
   bool pause_says_tool = false;  ///< M0 shows the text after it
   LengthOffset length_offset = LengthOffset::kNone;
-  std::string_view length_word = "G43";
+  std::string_view length_word = "G43";  ///< in front of H
   HomeForm home = HomeForm::kSafeHeight;
   DwellForm dwell = DwellForm::kPSeconds;
   double spindle_wait = 0;      ///< s

@@ -463,5 +463,73 @@ TEST(Dialects, SubprogramsOfOtherDevicesAreRefused) {
               HasSubstr("M198 calls a subprogram from another device"));
 }
 
+TEST(Okuma, IsToldByItsWords) {
+  const auto control = [](const std::string& text) { return name_of(recognised(text, "p").dialect); };
+  EXPECT_EQ(control("$PART.MIN%\nG21 G90 G0 X0.\nM2"), "okuma");
+  EXPECT_EQ(control("O0001\nG21 G90 G15 H1\nG0 X0.\nM2"), "okuma");
+  EXPECT_EQ(control("G21 G90\nG56 Z5. H1\nM2"), "okuma");
+  EXPECT_EQ(control("%\n(OSP-P300)\nG21 G90 G0 X0.\nM2"), "okuma");
+  EXPECT_EQ(control("%\nO1\nG21 G90 G56 G43 H1 Z5.\nM30\n%"), "fanuc") << "the third offset beside a length";
+}
+
+TEST(Okuma, MovesByItsOwnWords) {
+  const std::string start = "G21 G17 G90 G94 G61\nG15 H1 S900 M3\nG0 X0. Y0.\nG56 H1 Z15.\n";
+  const auto told_as = [](const std::string& text) {
+    std::string found;
+    for (const Section& section : read_as(Dialect::kOkuma, text).toolpath.sections)
+      for (const Move& move : section.moves) found += (found.empty() ? "" : "; ") + told(move);
+    return found;
+  };
+  EXPECT_EQ(told_as(start + "G71 Z15.\nG81 X5. Y0. Z-2. R1. F100. M53\nX7.\nG0 Z15.\nM2"),
+            told_as(start + "X5.\nZ1.\nG1 Z-2. F100.\nG0 Z15.\nX7.\nZ1.\nG1 Z-2. F100.\nG0 Z15.\nM2"));
+  const Program waits = read_as(Dialect::kOkuma, start + "G1 Z1. F100.\nG4 F1.5\nX5.\nM2");
+  EXPECT_TRUE(waits.conditions.empty());
+  EXPECT_EQ(waits.toolpath.sections.back().moves.back().feed, MmPerMin::of(100)) << "F of G4 is no feed";
+}
+
+TEST(Okuma, RefusesWhatIsNotKnown) {
+  const std::string start = "G21 G17 G90 G94 G61\nG15 H1 S900 M3\nG0 X0. Y0.\nG56 H1 Z15.\n";
+  for (const char* words : {"G15",
+                            "G15 H0",
+                            "G15 H1.5",
+                            "G15 H201",
+                            "G15 H-1",
+                            "G15 H1 G56",
+                            "G16 H2 Z0.",
+                            "G16 H0 G53 Z0.",
+                            "G56",
+                            "G54 H1",
+                            "G55 H1",
+                            "G59",
+                            "G43 H1",
+                            "G49",
+                            "G4 P2.",
+                            "G4",
+                            "G71",
+                            "G71 X1. Z5.",
+                            "G91 G71 Z5.",
+                            "G10 L2 P1 X1.",
+                            "G11 X1. Y1.",
+                            "G81 X1. Z-1. R1. F9. M53",
+                            "G73 X1. Z-1. R1. F9.",
+                            "G76",
+                            "G87 X1.",
+                            "G41 D1 X1.",
+                            "G8 P1",
+                            "G131",
+                            "G98",
+                            "G93",
+                            "NOEX G0 X1.",
+                            "NCYL",
+                            "RTS",
+                            "V1=2",
+                            "VC1=2",
+                            "VZOFX[1]=0.",
+                            "F=PF1",
+                            "X=VC1"})
+    EXPECT_THAT(refusal(Dialect::kOkuma, start + words + "\nM2"), HasSubstr("test.ngc:5: ")) << words;
+  EXPECT_THAT(refusal(Dialect::kFanuc, "OPART\nG0 X1.\nM30"), HasSubstr("Okuma"));
+}
+
 }  // namespace
 }  // namespace clearcut::read::gcode

@@ -428,16 +428,19 @@ constexpr Habit kHabits[] = {
      "siemens", ""},
     {"Fusion 360 for Okuma",
      "%\nOPART\n(T1 D=6. CR=0. - ZMIN=-3. - FLAT END MILL)\nN1 G40 G80 G90 G94 G17\nN2 G21\n\nN3 G90 G0 "
-     "Z9999.\nN4 T1 M6\nN5 S8000 M3\nN6 G15 H1\nN7 G0 X10. Y10.\nN8 G0 G56 Z15. H1\nN9 G1 Z-1. F300.\nN10 X20. "
+     "Z9999.\nN4 T1 M6\nN5 S8000 M3\nN6 G15 H1\nN7 G0 X10. Y10.\nN8 G0 G56 Z15. H1\nN9 G1 Z-1. F300.\nN10 "
+     "X20. "
      "F900.\nN11 G0 Z15.\nN12 M5\nN13 M9\nN14 G90 G0 Z9999.\nN15 G30 P1\nN16 M2\n%\n",
      "okuma", "blending g30-home"},
     {"Okuma: retracts in H0, drilling by G71 and M53",
-     "$PART.MIN%\nO0002\nG21 G17 G90 G94 G40 G61\nG16 H0 G0 Z0.\nT1 M6\nS8000 M3\nG15 H2\nG0 X10. Y10.\nG56 H1 "
+     "$PART.MIN%\nO0002\nG21 G17 G90 G94 G40 G61\nG16 H0 G0 Z0.\nT1 M6\nS8000 M3\nG15 H2\nG0 X10. Y10.\nG56 "
+     "H1 "
      "Z15.\nG71 Z15.\nG17 G90 G82 X10. Y10. Z-3. R2. P500 F300. M53\nX20.\nG0 Z15.\nG16 H0 G0 Z0.\nM2\n%\n",
      "okuma", "g16 g15-h2 cycle-dwell"},
     {"Okuma: a subprogram",
      "O0002\nG21 G17 G90 G94 G61\nT1 M6\nS8000 M3\nG15 H1\nG0 X10. Y10.\nG56 H1 Z15.\nCALL O1000 Q2\nM2\n",
-     "okuma", "p:8: 'CALL' is a word of OSP's macros and calls, which are not read; post the moves themselves"},
+     "okuma",
+     "p:8: 'CALL' is a word of OSP's macros and calls, which are not read; post the moves themselves"},
     {"Heidenhain: tapping by cycle 207",
      "0 BEGIN PGM A MM\n1 TOOL CALL 1 Z S8000 F900\n2 CYCL DEF 32.0 TOLERANCE\n3 CYCL DEF 32.1 T0.01\n4 L "
      "X+10 Y+10 Z+5 R0 FMAX M3\n5 TOOL CALL Z S500\n6 CYCL DEF 207 RIGID TAPPING NEW Q200=2 Q201=-8 Q239=+1 "

@@ -50,8 +50,7 @@ constexpr ControlWord kControlWords[] = {
     {"EMC2", Dialect::kLinuxCnc}, {"MACH2", Dialect::kMach3},       {"MACH3", Dialect::kMach3},
     {"MACH4", Dialect::kMach4},   {"PATHPILOT", Dialect::kTormach}, {"TORMACH", Dialect::kTormach},
     {"HAAS", Dialect::kHaas},     {"FANUC", Dialect::kFanuc},       {"MAZAK", Dialect::kMazak},
-    {"MARLIN", Dialect::kMarlin}, {"OKUMA", Dialect::kOkuma},
-    {"OSP", Dialect::kOkuma}};
+    {"MARLIN", Dialect::kMarlin}, {"OKUMA", Dialect::kOkuma},       {"OSP", Dialect::kOkuma}};
 
 /// Words end at everything but letters and digits: "Mach2/3" and "grbl_post.py" name their controls.
 void note_named_controls(std::string_view comment, std::vector<Dialect>& named) {

@@ -116,7 +116,7 @@ struct Control {
   bool has_measured = false;
   std::array<bool, 3> zero_is_measured{};  ///< a probe was moved, and no place was stated since
   std::array<std::array<bool, 3>, Frame::kSystems> origins_written{};  ///< by G10 L2
-  bool tied_by_m29 = false;  ///< the feed of the tapping cycles that follow is tied to the spindle
+  bool tied_by_m29 = false;            ///< the feed of the tapping cycles that follow is tied to the spindle
   std::optional<double> return_level;  ///< mm, as the program counts: G71 Z of OSP
   bool spindle_may_stand = false;      ///< G80 of OSP came while it turned
   bool moved = false;

@@ -65,8 +65,10 @@ class OspBlock {
 
   /// Some posts leave G80 out where the spindle is to turn on, since it stops it.
   void note_spindle() {
-    if (says_m({30, 40, 50, 60})) control_.spindle_may_stand = false;
-    else if (has_g(block_, kEndOfCycle) && control_.modes.spindle != 5) control_.spindle_may_stand = true;
+    if (says_m({30, 40, 50, 60}))
+      control_.spindle_may_stand = false;
+    else if (has_g(block_, kEndOfCycle) && control_.modes.spindle != 5)
+      control_.spindle_may_stand = true;
   }
 
   /// The number in H.
@@ -98,8 +100,7 @@ class OspBlock {
 
   /// G16 H0: the block's places are the machine's.
   void use_once(int number) {
-    if (number != 0)
-      control_.refuse("G16 with a work offset for one block is not read; give it by G15 H");
+    if (number != 0) control_.refuse("G16 with a work offset for one block is not read; give it by G15 H");
     if (has_g(block_, kNoLength)) control_.refuse("G53 beside G16 is not read; split the block");
     std::replace(block_.g.begin(), block_.g.end(), kOneOffset, kMachineFrame);
     is_in_machine_ = true;
@@ -122,7 +123,8 @@ class OspBlock {
   }
 
   void set_return_level() {
-    if (!block_.has('Z') || block_.has('X') || block_.has('Y') || !control_.modes.absolute)
+    if (!block_.has('Z') || block_.has('X') || block_.has('Y') || has_g(block_, 910) ||
+        !control_.modes.absolute)
       control_.refuse("G71 is read with Z alone, in G90; split its block");
     control_.return_level = control_.mm(block_.value('Z'));
     take_g(kReturnLevel);
@@ -132,18 +134,22 @@ class OspBlock {
   /// Cycles come back to the level of G71, at which the tool has to stand before the first of them.
   void set_cycle() {
     if (says_m({520, 540}))
-      control_.refuse("M52 and M54 choose heights to which cycles return that are not read; post M53 with G71");
+      control_.refuse(
+          "M52 and M54 choose heights to which cycles return that are not read; post M53 with G71");
     const bool returns = take_m(530);
     const int said = motion_in(block_);
     if (said < 0 || !control_.is_cycle(said)) return;
     const bool goes_on = control_.cycle.code == said;
     if (!returns && !goes_on)
-      control_.refuse(g_word(said) + " without M53 returns to a height that it does not state; post M53 with G71");
+      control_.refuse(g_word(said) +
+                      " without M53 returns to a height that it does not state; post M53 with G71");
     if (!control_.return_level)
-      control_.refuse(g_word(said) + " with M53 before any G71; give the height to which it returns by G71 Z");
+      control_.refuse(g_word(said) +
+                      " with M53 before any G71; give the height to which it returns by G71 Z");
     const double stands = control_.builder.known(2, control_.line) - control_.frame.shift(2);
     if (control_.cycle.code == 0 && std::abs(stands - *control_.return_level) > kSamePlaceMm)
-      control_.refuse(g_word(said) + " begins elsewhere than at the height of its G71, which is not read; go there before");
+      control_.refuse(g_word(said) +
+                      " begins elsewhere than at the height of its G71, which is not read; go there before");
     control_.modes.return_to_level = control_.return_said = true;
     if (!block_.has('P')) return;
     control_.condition("cycle-dwell", "P of drilling cycles counts in milliseconds, as the control is set");

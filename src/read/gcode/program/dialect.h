@@ -149,20 +149,20 @@ struct DialectRules {
   bool rereads_cycle_numbers =
       false;                         ///< G20, G21 within a cycle: the numbers it holds count in the new units
   bool feed_in_unit_before = false;  ///< F beside G20 or G21 counts in the unit before them
-  bool feed_mode_drops_feed = false;     ///< G93, G94, G95 end the feed in force, also in the same mode
-  bool radius_beats_center = false;      ///< R with I, J: R is taken
-  bool home_is_top = false;              ///< machine Z zero is the upper end of the travel
-  bool g61_halts = false;                ///< G61 halts at the end of every block, else it only keeps to the path
-  bool home_is_switches = false;         ///< G28 drives to the end switches, past no place on the way
-  bool no_home_in_cycle = false;         ///< G28 and G30 within a drilling cycle are an alarm
-  bool adds_to_offsets = false;          ///< G10 L2 in G91 adds to the offset
-  bool resets_modes = false;             ///< begins in G17, G90, G94, G54, G80 whatever ran before
-  bool always_in_xy = false;             ///< arcs and cycles are in the XY plane unless a word says otherwise
-  bool always_mm = false;                ///< begins in mm
-  bool points_matter = false;            ///< X10 may mean 10 increments
-  bool centers_set_up = false;           ///< without G90.1, G91.1 its set-up says which
-  bool dwell_by_x = false;               ///< G4 X: seconds
-  bool dwell_in_ms = false;              ///< G4 P: milliseconds
+  bool feed_mode_drops_feed = false;  ///< G93, G94, G95 end the feed in force, also in the same mode
+  bool radius_beats_center = false;   ///< R with I, J: R is taken
+  bool home_is_top = false;           ///< machine Z zero is the upper end of the travel
+  bool g61_halts = false;             ///< G61 halts at the end of every block, else it only keeps to the path
+  bool home_is_switches = false;      ///< G28 drives to the end switches, past no place on the way
+  bool no_home_in_cycle = false;      ///< G28 and G30 within a drilling cycle are an alarm
+  bool adds_to_offsets = false;       ///< G10 L2 in G91 adds to the offset
+  bool resets_modes = false;          ///< begins in G17, G90, G94, G54, G80 whatever ran before
+  bool always_in_xy = false;          ///< arcs and cycles are in the XY plane unless a word says otherwise
+  bool always_mm = false;             ///< begins in mm
+  bool points_matter = false;         ///< X10 may mean 10 increments
+  bool centers_set_up = false;        ///< without G90.1, G91.1 its set-up says which
+  bool dwell_by_x = false;            ///< G4 X: seconds
+  bool dwell_in_ms = false;           ///< G4 P: milliseconds
   bool dwell_with_point_in_s = false;    ///< where P has a decimal point: seconds
   bool dwell_by_s = false;               ///< G4 S: seconds
   bool saves_modes = false;              ///< M70 to M73
@@ -185,7 +185,7 @@ struct DialectRules {
   bool radius_number_stays = false;  ///< D holds until another: G41 takes the last one
   bool osp_words = false;            ///< G15 H, G56 H, G53, G4 F, G71 with M53, as in control/osp_words.h
   std::string_view length_on = "G43", length_off = "G49";
-  bool radius_of_edge = false;       ///< G41 takes the radius of the tool in the spindle, whatever D says
+  bool radius_of_edge = false;  ///< G41 takes the radius of the tool in the spindle, whatever D says
 };
 
 const DialectRules& rules_of(Dialect dialect);

@@ -53,12 +53,15 @@ bool is_flow(std::string_view rest) {
 std::string_view osp_word(std::string_view rest) {
   constexpr std::string_view kWords[] = {"CALL", "RTS", "MODIN", "MODOUT", "NCYL", "NOEX"};
   for (const std::string_view one : kWords) {
-    const bool is_there = std::equal(one.begin(), one.end(), rest.begin(), rest.begin() + std::min(one.size(), rest.size()),
-                                     [](char a, char b) { return a == std::toupper(static_cast<unsigned char>(b)); });
+    const bool is_there =
+        std::equal(one.begin(), one.end(), rest.begin(), rest.begin() + std::min(one.size(), rest.size()),
+                   [](char a, char b) { return a == std::toupper(static_cast<unsigned char>(b)); });
     if (is_there) return rest.substr(0, one.size());
   }
-  const bool is_variable = rest.size() > 1 && std::toupper(static_cast<unsigned char>(rest[0])) == 'V' && is_letter(rest[1]);
-  return is_variable ? rest.substr(0, std::min(rest.find_first_of(" \t[="), rest.size())) : std::string_view{};
+  const bool is_variable =
+      rest.size() > 1 && std::toupper(static_cast<unsigned char>(rest[0])) == 'V' && is_letter(rest[1]);
+  return is_variable ? rest.substr(0, std::min(rest.find_first_of(" \t[="), rest.size()))
+                     : std::string_view{};
 }
 
 /// Letters and a bracket, as in SIN[30].
@@ -181,9 +184,10 @@ void BlockReader::parse_word(std::string_view line, std::size_t& at, Block& bloc
   const char letter = c == ':' ? 'O' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   if (is_flow(line.substr(at))) throw MacroError(place(block.line), kNoFlow);
   if (const std::string_view word = osp_word(line.substr(at)); !word.empty())
-    throw MacroError(place(block.line), "'" + std::string(word) +
-                                            "' is a word of OSP's macros and calls, which are not read; post the "
-                                            "moves themselves");
+    throw MacroError(place(block.line),
+                     "'" + std::string(word) +
+                         "' is a word of OSP's macros and calls, which are not read; post the "
+                         "moves themselves");
   if (c != ':' && letter == 'O' && at + 1 < line.size() && is_letter(line[at + 1])) {
     while (++at < line.size() && std::isalnum(static_cast<unsigned char>(line[at])) != 0) {
     }

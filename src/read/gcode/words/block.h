@@ -29,14 +29,14 @@ struct CornerWord {
 
 struct Block {
   int line = 0;
-  bool optional = false;  ///< begins with '/'
-  int delete_level = 0;   ///< n of "/n", one of several switches; 0: none is said
-  bool percent = false;   ///< a lone '%'
+  bool optional = false;       ///< begins with '/'
+  int delete_level = 0;        ///< n of "/n", one of several switches; 0: none is said
+  bool percent = false;        ///< a lone '%'
   bool names_file = false;     ///< "$PART.MIN%" in front of programs of Okuma's
   bool names_program = false;  ///< "OPART"
-  bool has_text = false;  ///< behind M0 or M1, as Marlin shows it
-  std::vector<int> g;     ///< G words in tenths: 911 is G91.1
-  std::vector<int> m;     ///< M words in tenths
+  bool has_text = false;       ///< behind M0 or M1, as Marlin shows it
+  std::vector<int> g;          ///< G words in tenths: 911 is G91.1
+  std::vector<int> m;          ///< M words in tenths
   std::vector<std::string_view> comments;
   /// '@' and '^' of LinuxCNC: a place by its distance from the zero and its angle in degrees.
   std::optional<double> polar_radius, polar_angle;
@@ -46,7 +46,9 @@ struct Block {
   double value(char letter) const { return values_[static_cast<std::size_t>(letter - 'A')]; }
   bool has_axis() const { return has('X') || has('Y') || has('Z'); }
   bool is_polar() const { return polar_radius || polar_angle; }
-  bool has_words() const { return present_ != 0 || !g.empty() || !m.empty() || is_polar() || corner || names_program; }
+  bool has_words() const {
+    return present_ != 0 || !g.empty() || !m.empty() || is_polar() || corner || names_program;
+  }
 
   void clear();
   void set(char letter, double value, bool has_point = true);
