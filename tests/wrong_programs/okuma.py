@@ -25,7 +25,7 @@ def okuma():
     c.add("ring", ONE, ring, "FAULTY", "uncut", "leaves the material between two rings")
 
     def standing(p):
-        p.spindle = ["M5"]
+        p.cut = ["M5"] + p.cut
     c.add("standing", ONE, standing, "FAULTY", "spindle-off", "cuts with a spindle that stands")
 
     def inch(p):

@@ -482,6 +482,8 @@ TEST(Okuma, MovesByItsOwnWords) {
   };
   EXPECT_EQ(told_as(start + "G71 Z15.\nG81 X5. Y0. Z-2. R1. F100. M53\nX7.\nG0 Z15.\nM2"),
             told_as(start + "X5.\nZ1.\nG1 Z-2. F100.\nG0 Z15.\nX7.\nZ1.\nG1 Z-2. F100.\nG0 Z15.\nM2"));
+  EXPECT_EQ(conditions_as(Dialect::kOkuma, start + "G0 Z20.\nG53\nM2"), "");
+  EXPECT_EQ(conditions_as(Dialect::kOkuma, start + "G53\nG0 Z5.\nG1 Z1. F100.\nM2"), "tool-length-off@7");
   const Program waits = read_as(Dialect::kOkuma, start + "G1 Z1. F100.\nG4 F1.5\nX5.\nM2");
   EXPECT_TRUE(waits.conditions.empty());
   EXPECT_EQ(waits.toolpath.sections.back().moves.back().feed, MmPerMin::of(100)) << "F of G4 is no feed";

@@ -31,6 +31,7 @@ constexpr Refused kRefused[] = {
     {580, "is a length of the tool along a fifth axis, which is not read; give work offsets by G15 H"},
     {590, "is a length of the tool along a sixth axis, which is not read; give work offsets by G15 H"},
     {430, "is no word of OSP; give the length by G56 H"},
+    {490, "is no word of OSP; end the length by G53"},
     {730, "breaks chips by its I and J, which is not read; post the moves"},
     {760, "bores with a bar that goes aside, which is not read; post the moves"},
     {870, "bores from below, which is not read; post the moves"},

@@ -35,7 +35,7 @@ constexpr int kMissingOnMarlin[] = {130, 140, 480};
 
 // Words of others that OSP has not, or that do something else there: look-ahead, G12 and G13, scaling, shifts, arcs about centers said
 // from the zero, inverse time, return levels.
-constexpr int kMissingOnOsp[] = {80,  120, 130, 490, 500, 510, 520, 690, 901,
+constexpr int kMissingOnOsp[] = {80,  120, 130, 500, 510, 520, 690, 901,
                                  911, 921, 922, 923, 930, 970, 980, 990};
 
 /// NIST's interpreter and its descendants: LinuxCNC, Mach, PathPilot.
