@@ -52,6 +52,11 @@ std::string with_letters(const Block& block, int code, std::string_view letters)
   return text;
 }
 
+/// As controls that take whole numbers as increments want it.
+std::string with_point(const std::string& words) {
+  return words.find('.') == std::string::npos ? words + "." : words;
+}
+
 bool is_coolant_on(int m, const DialectRules& rules) {
   return m == 70 || m == 80 || m == 880 || m == rules.mist_on;
 }
@@ -204,6 +209,7 @@ class Follower {
   bool keep_osp(int code) {
     if (code == kOkumaOffset) words_.offset = with_letters(block_, code, "H");
     if (code == 560) old_length_ = false;
+    if (code == 710) words_.ways = {with_point(with_letters(block_, code, "Z"))};
     return code == kOkumaOffset || code == 160 || code == 530 || code == 560 || code == 710;
   }
 

@@ -59,7 +59,7 @@ struct HeldWords {
       next_tool_name;  ///< Sinumerik: T="MILL6", where the tool in the spindle, or the one called last, has a name
   std::map<std::string, int> tool_numbers;  ///< Sinumerik: of all tools that were called by names so far
   std::vector<std::string>
-      ways;  ///< Sinumerik: how axes are driven and corners gone round, "SOFT", "FFWON", "G451"
+      ways;  ///< lines of Sinumerik on how axes are driven and corners gone round, "SOFT", "FFWON", "G451"; of OSP the level of cycles
   bool feeds_in_mm = false;  ///< Sinumerik: G70 and G71 are for lengths alone
 };
 
