@@ -246,8 +246,9 @@ std::string head_of(std::string_view program, const std::string& name) {
   std::string_view line;
   std::string head;
   while (lines.next(line) && blocks.next(block)) {
-    const bool is_number = block.has('O') && block.g.empty() && block.m.empty() && !block.has_axis();
-    if (block.percent || is_number) head += std::string(line) + "\n";
+    const bool is_number =
+        (block.has('O') || block.names_program) && block.g.empty() && block.m.empty() && !block.has_axis();
+    if (block.percent || block.names_file || is_number) head += std::string(line) + "\n";
     if (block.has_words() && !is_number) break;
   }
   return head;
