@@ -122,7 +122,7 @@ TEST(Golden, EveryDialectWritesItsProgram) {
       checked += 2;
     }
   }
-  EXPECT_EQ(checked, 96);
+  EXPECT_EQ(checked, 104);
 }
 
 TEST(Golden, NoFileIsForgotten) {
