@@ -127,7 +127,7 @@ INSTANTIATE_TEST_SUITE_P(Classes, WrongPrograms,
                          ::testing::Values("motion", "comments", "dialects", "conditions", "state",
                                            "blending", "small", "cycles", "limits", "worst", "holes", "alone",
                                            "habits", "holder", "cutters", "leaves", "entries", "takes",
-                                           "taps", "sinumerik"),
+                                           "taps", "sinumerik", "okuma"),
                          [](const auto& one) { return one.param; });
 
 /// Every right program that states its dialect is taken, and each class has right twins or accepted ones.

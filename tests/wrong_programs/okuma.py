@@ -45,10 +45,9 @@ def okuma():
         def change(p):
             p.approach = [block.replace("G56 H1", words) for block in p.approach]
         return change
-    c.add("other-length", ONE, length("G56 H2"), "CONDITIONAL", "tool-length-h2", "takes the length of another tool",
-          accepted=["tool-length-h2"])
+    c.add("other-length", ONE, length("G56 H2"), "FAULTY", "tool-length", "takes the length of another tool")
     c.add("length-of-others", ONE, length("G43 H1"), "REFUSED", "", "takes the length by a word of other controls")
-    c.add("ended-length", ONE, length("G56 H1 Z5.\nG53\nG0"), "CONDITIONAL", "tool-length-off", "cuts without the length of its tool")
+    c.add("ended-length", ONE, length("G56 H1 Z5.\nG53\nG0"), "FAULTY", "tool-length", "cuts without the length of its tool")
 
     def path(word):
         def change(p):

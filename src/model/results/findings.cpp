@@ -14,7 +14,8 @@ constexpr std::array kRows{
     // Facts that the program leaves to the control and to the operator.
     ConditionRow{"units"}, ConditionRow{"motion-mode"}, ConditionRow{"arc-centres"},
     ConditionRow{"decimal-point"}, ConditionRow{"dialect"}, ConditionRow{"start-position"},
-    ConditionRow{"g#", "g55"}, ConditionRow{"g#-p#", "g54.1-p2"}, ConditionRow{"datum-#", "datum-247"},
+    ConditionRow{"g#", "g55"}, ConditionRow{"g#-p#", "g54.1-p2"}, ConditionRow{"g#-h#", "g15-h2"},
+    ConditionRow{"g80-spindle"}, ConditionRow{"cycle-dwell"}, ConditionRow{"datum-#", "datum-247"},
     ConditionRow{"g#-home", "g28-home"}, ConditionRow{"tool-in-spindle"},
     ConditionRow{"tool-length-h#", "tool-length-h5"}, ConditionRow{"tool-length-g#", "tool-length-g43.1"},
     ConditionRow{"tool-length-dl"}, ConditionRow{"tool-length-def"}, ConditionRow{"tool-length-off"},
