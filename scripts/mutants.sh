@@ -37,9 +37,9 @@ mutant $formulas '(radius - w)' '(radius - 1.01 * w)' plan_test 'Formulas.*'
 mutant $formulas '(radius - 2 * radius * overlap)' '(radius - 2.02 * radius * overlap)' plan_test 'Formulas.*'
 mutant $formulas 'return step / base::sin(alpha / 2)' 'return 1.01 * step / base::sin(alpha / 2)' plan_test 'Formulas.*:*Triangle*'
 mutant src/plan/contour/side_offsets.cpp 'base::cos(angle / 2)' 'base::cos(angle / 1.98)' plan_test 'SideOffsets.*'
-mutant src/kinematics/kinematics.h 'kPublishedStop = 0.177' 'kPublishedStop = 0.17877' kinematics_test 'PublishedTime.*'
-mutant src/kinematics/kinematics.cpp 'cutting_s + 2 *' 'cutting_s + 2.02 *' kinematics_test 'PublishedTime.*'
-mutant src/kinematics/kinematics.cpp '(1 + discontinuities)' '(1.01 + discontinuities)' kinematics_test 'PublishedTime.*'
+mutant src/model/results/published_time.h 'kPublishedStop = 0.177' 'kPublishedStop = 0.17877' kinematics_test 'PublishedTime.*'
+mutant src/model/results/published_time.h 'cutting_s + 2 *' 'cutting_s + 2.02 *' kinematics_test 'PublishedTime.*'
+mutant src/model/results/published_time.h '(1 + discontinuities)' '(1.01 + discontinuities)' kinematics_test 'PublishedTime.*'
 mutant src/pipeline/tour/engagement_model.cpp 'base::expm1(5 *' 'base::expm1(5.05 *' pipeline_test 'PublishedConstants.*'
 mutant src/pipeline/tour/engagement_model.cpp 'kLeast = 0.02' 'kLeast = 0.0202' pipeline_test 'PublishedConstants.*:Engagement.*'
 constants='PublishedConstants.*'
@@ -68,7 +68,7 @@ mutant $formulas 'return step / base::sin(alpha / 2)' 'return step / base::sin(a
 mutant src/plan/contour/side_offsets.cpp 'base::sin(angle / 2)' 'base::sin(angle / 1.98)' plan_test 'SideOffsets.*'
 mutant src/plan/contour/step_rule.cpp 'step = 2 * radius * share' 'step = 2.02 * radius * share' plan_test 'StepRule.*'
 mutant src/kinematics/kinematics.cpp 'time.cutting_s += 60 *' 'time.cutting_s += 60.6 *' kinematics_test 'PublishedTime.*'
-mutant src/kinematics/kinematics.cpp 'published_time(60 * length_mm' 'published_time(60.6 * length_mm' kinematics_test 'PublishedTime.*'
+mutant src/model/results/published_time.h 'published_seconds(60 * length_mm' 'published_seconds(60.6 * length_mm' kinematics_test 'PublishedTime.*'
 mutant src/order/objective.cpp 'seconds_per_mm_(60 /' 'seconds_per_mm_(60.6 /' pipeline_test "$constants"
 mutant src/order/objective.cpp '? 2 * tau_ : 0' '? 2.02 * tau_ : 0' pipeline_test "$constants"
 mutant src/features/derived_outlines.cpp 'below_top * base::tan(' '1.01 * below_top * base::tan(' pipeline_test "$constants"

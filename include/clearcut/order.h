@@ -4,8 +4,8 @@
 #include <string>
 
 #include "order/genetic/operators.h"
-#include "order/search/solve.h"
 #include "order/genetic/tours.h"
+#include "order/search/solve.h"
 
 namespace clearcut {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "order/genetic/genetic.h"
-#include "order/search/solve.h"
 #include "order/genetic/tours.h"
+#include "order/search/solve.h"
 
 namespace clearcut::pipeline {
 
