@@ -17,18 +17,11 @@
 
 namespace clearcut::pipeline {
 
-/// `dialect`: the control that will run the program; absent: recognised. `reference_feeds`: feeds at the reference by
-/// tool number, used if feeds follow the load and no option states one.
+// The check of a program against a part, and without one; include/clearcut/verify.h promises both functions and says more of them.
 CheckResult check_program(const Part& part, const std::string& program, const std::string& program_name,
                           const PlanOptions& options, std::optional<Dialect> dialect = {},
                           const std::map<int, MmPerMin>& reference_feeds = {});
 
-/// Checks any program text as far as possible without a part: rapids, plunges, depths and engagement in `stock`,
-/// feeds, spindle and tools, limits and travel, arcs. Uncut material and gouges are not examined
-/// (Findings::without_part). Without a stock the box of all cuts below `top`, mm, is assumed, with the condition
-/// "stock"; if `top` is absent, too, below Z 0, provided no cut is above. Throws InputError for text that no control
-/// accepts, and if nothing moves, no tool is given, no cut is below `top` without a stated stock, or some cut is
-/// above Z 0 without a stated top.
 CheckResult check_program_alone(const std::optional<Stock>& stock, const std::string& program,
                                 const std::string& program_name, const PlanOptions& options,
                                 std::optional<Dialect> dialect = {}, std::optional<double> top = {},

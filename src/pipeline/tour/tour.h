@@ -17,13 +17,10 @@ using order::TourOptions;
 using order::TourResult;
 using order::TourSample;
 
-/// `input` is a TSPLIB file or a lattice, for example "10x10". Throws InputError.
+// Tours of files, lattices and points, and their texts; include/clearcut/order.h promises these functions and says more of them.
 TourResult solve_tour(const std::string& input, const TourOptions& options);
-/// The same for given points; options.closed is ignored. Throws InputError for contradictory problems.
 TourResult solve_tour(const order::Problem& problem, const TourOptions& options);
 
-/// The fields of `tour --json`: objective, length, turns, angle_deg, bound, gap, time_s, seed, convergence (pairs of
-/// seconds and best value), tour (0-based).
 std::string tour_json(const TourResult& result);
 std::string tour_svg(const TourResult& result);
 std::string tour_line(const TourResult& result);
