@@ -7,6 +7,7 @@
 #include "model/cutter_profile.h"
 
 namespace clearcut::features {
+
 std::optional<RoundHole> round_hole_of(const Feature& feature, const Tolerances& tol) {
   if (!closed_all_round(feature) || feature.wall_slope.radians() != 0 || feature.target.size() != 1)
     return std::nullopt;

@@ -13,6 +13,7 @@
 #include "features/tool_choice.h"
 #include "geometry/contours/boolean.h"
 #include "geometry/region.h"
+#include "options/read_options.h"
 #include "resolve/features/hole_tools.h"
 #include "resolve/features/shaping.h"
 #include "resolve/values/cutting_values.h"
@@ -20,8 +21,6 @@
 namespace clearcut::resolve {
 namespace {
 
-/// mm; depth of through holes below the stock.
-constexpr double kBreakthrough = 0.5;
 /// mm. Heights and centres nearer than this are one.
 constexpr double kSame = 0.01;
 /// Share of a hole's width: a spot wholly removed by the hole.
@@ -382,9 +381,9 @@ class HoleShaper {
     double depth = std::numeric_limits<double>::infinity();
     for (const Feature& feature : part_.features) {
       const double over = feature.top_z - top;
-      if (over <= kSame || room_below(feature.top_z, p) <= 0) continue;
+      if (over <= kSame) continue;
       const double room = room_below(feature.top_z, p);
-      if (room < tool.radius())
+      if (room > 0 && room < tool.radius())
         depth = std::min(depth, (room - tool.tip_diameter / 2) / flank_slope(tool) - over);
     }
     return depth;
