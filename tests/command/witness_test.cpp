@@ -9,6 +9,7 @@
 #include <regex>
 
 #include "base/file.h"
+#include "model/dialect.h"
 #include "support/command.h"
 
 namespace clearcut::test_support {
@@ -43,7 +44,7 @@ CommandResult check_bracket(const ScratchFolder& folder, const std::string& more
                            " " + more);
 }
 
-class WitnessOf : public ::testing::TestWithParam<const char*> {};
+class WitnessOf : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(WitnessOf, AProgramForEachControllerIsAccepted) {
   const ScratchFolder folder;
@@ -53,9 +54,7 @@ TEST_P(WitnessOf, AProgramForEachControllerIsAccepted) {
   EXPECT_THAT(checked.out, HasSubstr("a flat cutter of diameter 6.0 mm"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Controllers, WitnessOf,
-                         ::testing::Values("linuxcnc", "grbl", "fanuc", "haas", "heidenhain", "mach3",
-                                           "mach4", "marlin", "siemens"));
+INSTANTIATE_TEST_SUITE_P(Controllers, WitnessOf, ::testing::ValuesIn(controller_names()));
 
 TEST(Witness, SaysOfWhichCutterAndProgramItIs) {
   const ScratchFolder folder;
@@ -158,7 +157,7 @@ const char kHolesAndPocket[] =
 {"name": "h2", "kind": "round_hole", "depth": 6, "outer": [[33, 10, 1], [27, 10, 1]]},
 {"name": "p", "kind": "closed_pocket", "depth": 4, "outer": [[5, 20], [50, 20], [50, 35], [5, 35]]}]})";
 
-class WitnessOfHoles : public ::testing::TestWithParam<const char*> {};
+class WitnessOfHoles : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(WitnessOfHoles, CountsCyclesAsDiscs) {
   const ScratchFolder folder;
@@ -167,7 +166,7 @@ TEST_P(WitnessOfHoles, CountsCyclesAsDiscs) {
       run_clearcut({"plan", part, "--tool", "endmill:5", "--tool", "drill:6", "-o", program, "--post",
                     GetParam(), "--witness", folder.path("t.ccw"), "--quiet"});
   // Marlin's programs do not name their tools, which hands put in.
-  EXPECT_EQ(planned.exit_code, GetParam() == std::string("marlin") ? 1 : 0) << planned.out;
+  EXPECT_EQ(planned.exit_code, GetParam() == "marlin" ? 1 : 0) << planned.out;
   const std::string check = kChecker + " " + program + " " + part + " " + folder.path("t.ccw");
   const CommandResult checked = shell(folder, check);
   EXPECT_EQ(checked.exit_code, 0) << checked.out;
@@ -175,9 +174,7 @@ TEST_P(WitnessOfHoles, CountsCyclesAsDiscs) {
   EXPECT_THAT(checked.out, HasSubstr("feature 1 (h2) all of it"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Controllers, WitnessOfHoles,
-                         ::testing::Values("linuxcnc", "grbl", "fanuc", "haas", "heidenhain", "mach3",
-                                           "mach4", "marlin", "siemens"));
+INSTANTIATE_TEST_SUITE_P(Controllers, WitnessOfHoles, ::testing::ValuesIn(controller_names()));
 
 TEST(Witness, NamesTheHoleThatIsNotDrilledToItsDepth) {
   const ScratchFolder folder;

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <set>
 #include <string>
 
 #include "base/error.h"
@@ -12,6 +11,7 @@
 #include "post/part/part_writers.h"
 #include "post/post.h"
 #include "read/job/read_part.h"
+#include "support/controllers.h"
 #include "support/data.h"
 #include "support/independent/rs274.h"
 #include "support/plans.h"
@@ -77,8 +77,8 @@ TEST(Holes, DeepOnesArePeckedAndTheControlSaysSoInOneBlock) {
 }
 
 TEST(Holes, EveryControlMakesTheSameHole) {
-  const std::set<std::string> without_cycles = {"grbl", "marlin", "heidenhain", "okuma"};
-  for (const auto& dialect : post::post_dialects()) {
+  for (const test_support::Controller& one : test_support::controllers()) {
+    const std::string dialect(one.name);
     for (const bool inch : {false, true}) {
       PlanOptions options = test_support::plan_options_with({"drill:6"});
       options.post.dialect = dialect;
@@ -86,9 +86,8 @@ TEST(Holes, EveryControlMakesTheSameHole) {
       const auto result = pipeline::plan_part(part_with_hole(6, 30), options);
       expect_clean(result, dialect);
       EXPECT_NEAR(result.findings.all.plunge_mm, 31 + 5 * 0.254, 0.5) << dialect;
-      const bool cycles = !without_cycles.contains(dialect);
-      const char* const pecks = dialect == "siemens" ? "CYCLE83" : "G83";
-      EXPECT_EQ(result.program.find(pecks) != std::string::npos, cycles) << dialect;
+      const std::string_view pecks = one.pecks.empty() ? "G83" : one.pecks;
+      EXPECT_EQ(result.program.find(pecks) != std::string::npos, !one.pecks.empty()) << dialect;
     }
   }
 }

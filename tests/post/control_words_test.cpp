@@ -3,12 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
 #include <sstream>
 
 #include "base/error.h"
 #include "post/post.h"
 #include "read/gcode/gcode.h"
+#include "support/controllers.h"
 #include "support/independent/grbl.h"
 #include "support/random/random_toolpaths.h"
 
@@ -101,15 +101,11 @@ TEST(CoolantWords, AreReadBackInEveryDialect) {
 
 /// Flood asks for nothing; mist only where not every such control has it.
 TEST(CoolantWords, ThatAControlNeedNotHaveAreConditions) {
-  const std::map<std::string, std::string> wanted{{"linuxcnc", ""}, {"grbl", "m7"},       {"fanuc", "m7"},
-                                                  {"haas", "m83"},  {"mach3", ""},        {"mach4", ""},
-                                                  {"marlin", "m7"}, {"heidenhain", "m7"}, {"siemens", "m7"},
-                                                  {"mazak", "m7"},  {"tormach", ""},      {"okuma", "m7"}};
-  ASSERT_EQ(wanted.size(), post::post_dialects().size());
-  for (const auto& [dialect, condition] : wanted) {
+  for (const test_support::Controller& one : test_support::controllers()) {
+    const std::string dialect(one.name), condition(one.mist_condition);
     SCOPED_TRACE(dialect);
-    const auto program = [&, name = dialect](Coolant coolant) {
-      return post::write_program(cuts({coolant}), Part{}, options_for(name, false));
+    const auto program = [&](Coolant coolant) {
+      return post::write_program(cuts({coolant}), Part{}, options_for(dialect, false));
     };
     EXPECT_EQ(conditions_of(program(kFlood), dialect), "");
     EXPECT_EQ(conditions_of(program(kMist), dialect), condition);
@@ -182,34 +178,16 @@ void expect_same_motion(const std::string& text, const std::string& other, const
 
 /// Every offset that a control has is written in its words and is one condition, as G55 is; all others are refused in one line.
 TEST(WorkOffsets, AreThoseOfTheControl) {
-  const std::vector<std::string> offsets{"G55",       "G59",        "G59.1",   "G59.3",    "G54.1 P1",
-                                         "G54.1 P99", "G54.1 P300", "G154 P1", "G154 P99", "G59 P7",
-                                         "G59 P254",  "G505",       "G599",    "G15 H2",   "G15 H200"};
-  const std::map<std::string, std::pair<std::vector<std::string>, std::string>> has{
-      {"linuxcnc", {{"G55", "G59", "G59.1", "G59.3"}, "it has G54 to G59, G59.1 to G59.3"}},
-      {"grbl", {{"G55", "G59"}, "it has G54 to G59"}},
-      {"fanuc",
-       {{"G55", "G59", "G54.1 P1", "G54.1 P99", "G54.1 P300"}, "it has G54 to G59, G54.1 P1 to P300"}},
-      {"haas",
-       {{"G55", "G59", "G54.1 P1", "G54.1 P99", "G154 P1", "G154 P99"},
-        "it has G54 to G59, G154 P1 to P99, G54.1 P1 to P99"}},
-      {"mach3", {{"G55", "G59", "G59 P7", "G59 P254"}, "it has G54 to G59, G59 P7 to P254"}},
-      {"mach4", {{"G55", "G59", "G54.1 P1", "G54.1 P99"}, "it has G54 to G59, G54.1 P1 to P248"}},
-      {"marlin", {{}, "its programs have no work offsets; leave it out"}},
-      {"heidenhain", {{}, "its zero is the preset that is active; leave it out"}},
-      {"mazak",
-       {{"G55", "G59", "G54.1 P1", "G54.1 P99", "G54.1 P300"}, "it has G54 to G59, G54.1 P1 to P300"}},
-      {"tormach", {{"G55", "G59", "G59.1", "G59.3"}, "it has G54 to G59, G59.1 to G59.3"}},
-      {"okuma", {{"G15 H2", "G15 H200"}, "it has G15 H1 to H200"}},
-      {"siemens", {{"G55", "G505", "G599"}, "it has G54 to G57, G505 to G599"}}};
-  ASSERT_EQ(has.size(), post::post_dialects().size());
-  for (const auto& [dialect, words] : has) {
-    for (const std::string& offset : offsets) {
+  for (const test_support::Controller& one : test_support::controllers()) {
+    const std::string dialect(one.name);
+    for (const std::string_view word : test_support::all_work_offsets()) {
+      const std::string offset(word);
       SCOPED_TRACE(dialect + " " + offset);
-      const bool known = std::find(words.first.begin(), words.first.end(), offset) != words.first.end();
+      const auto& has = one.work_offsets;
+      const bool known = std::find(has.begin(), has.end(), word) != has.end();
       if (!known) {
         EXPECT_THAT(refusal_at(offset, dialect),
-                    HasSubstr(dialect + " has no " + offset + ": " + words.second));
+                    HasSubstr(dialect + " has no " + offset + ": " + std::string(one.work_offsets_said)));
         continue;
       }
       const std::string text = program_at(offset, dialect);
@@ -252,27 +230,18 @@ std::string after_the_last_stop(const std::string& program) {
 }
 
 TEST(EndPositions, HomeIsZFirstInTheWordsOfTheControl) {
-  const std::string stored = " G91 G28 Z0 G28 X0 Y0 G90";
-  const std::map<std::string, std::pair<std::string, std::string>> wanted{
-      {"linuxcnc", {stored, "g28-home"}},
-      {"grbl", {stored, "g28-home"}},
-      {"fanuc", {" G91 G28 Z0. G28 X0. Y0. G90", ""}},
-      {"haas", {" G53 G0 Z0. G53 G0 X0. Y0.", ""}},
-      {"mach3", {stored, "g28-home"}},
-      {"mach4", {stored, "g28-home"}},
-      {"tormach", {stored, "g28-home"}},
-      {"mazak", {" G91 G28 Z0. G28 X0. Y0. G90", ""}},
-      {"okuma", {" G30 P1", "g30-home"}},
-      {"siemens", {" SUPA G0 Z0 D0 SUPA G0 X0 Y0 D0", ""}},
-      {"heidenhain", {" L Z+0 R0 FMAX M91 L X+0 Y+0 R0 FMAX M91", "m91"}}};
-  for (const auto& [dialect, words] : wanted) {
+  for (const test_support::Controller& one : test_support::controllers()) {
+    const std::string dialect(one.name);
     SCOPED_TRACE(dialect);
+    if (one.home.empty()) {
+      EXPECT_THROW(program_to(*end_position_named("home"), dialect), InputError);
+      continue;
+    }
     const std::string text = program_to(*end_position_named("home"), dialect);
-    EXPECT_EQ(after_the_last_stop(text), words.first);
-    EXPECT_EQ(conditions_of(text, dialect), words.second);
+    EXPECT_EQ(after_the_last_stop(text), one.home);
+    EXPECT_EQ(conditions_of(text, dialect), one.home_condition);
     EXPECT_TRUE(dialect != "grbl" || test_support::grbl_faults(text).empty());
   }
-  EXPECT_THROW(program_to(*end_position_named("home"), "marlin"), InputError);
 }
 
 TEST(EndPositions, APlaceIsReachedAtTheSafeHeight) {

@@ -37,8 +37,7 @@ Reach reach_of(const std::string& dialect) {
 }
 
 TEST(Digits, OfMillimetresKeepWallsWithinAMicrometreAndFloorsExact) {
-  for (const std::string dialect : {"linuxcnc", "grbl", "fanuc", "haas", "heidenhain", "mach3", "mach4",
-                                    "marlin", "siemens", "mazak", "tormach", "okuma"}) {
+  for (const std::string& dialect : controller_names()) {
     SCOPED_TRACE(dialect);
     const Reach reach = reach_of(dialect);
     EXPECT_GE(reach.least_x, 3 - 1e-9);

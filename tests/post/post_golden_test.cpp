@@ -8,6 +8,7 @@
 #include "base/file.h"
 #include "post/post.h"
 #include "read/gcode/gcode.h"
+#include "support/controllers.h"
 #include "support/golden.h"
 #include "support/independent/grbl.h"
 #include "support/independent/rs274.h"
@@ -27,6 +28,13 @@ struct Case {
   PostOptions options;
 };
 
+std::vector<std::string> with_home() {
+  std::vector<std::string> names;
+  for (const test_support::Controller& one : test_support::controllers())
+    if (!one.home.empty()) names.emplace_back(one.name);
+  return names;
+}
+
 std::vector<Case> cases() {
   PostOptions lines;
   lines.arcs = false;
@@ -39,15 +47,9 @@ std::vector<Case> cases() {
   home.end = *end_position_named("home");
   PostOptions place;
   place.end = *end_position_named("0,40");
-  return {{"end-home",
-           {"linuxcnc", "grbl", "fanuc", "haas", "heidenhain", "mach3", "mach4", "siemens", "mazak",
-            "tormach", "okuma"},
-           home},
-          {"end-place", post::post_dialects(), place},
-          {"two-tools", post::post_dialects(), {}},
-          {"circles", post::post_dialects(), {}},
-          {"lines-only", {"grbl", "marlin"}, lines},
-          {"by-hand", {"linuxcnc", "mach4", "fanuc"}, by_hand}};
+  return {{"end-home", with_home(), home},           {"end-place", post::post_dialects(), place},
+          {"two-tools", post::post_dialects(), {}},  {"circles", post::post_dialects(), {}},
+          {"lines-only", {"grbl", "marlin"}, lines}, {"by-hand", {"linuxcnc", "mach4", "fanuc"}, by_hand}};
 }
 
 fs::path folder_of(const Case& c) {

@@ -4,11 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
 #include <sstream>
 
 #include "base/error.h"
 #include "read/gcode/gcode.h"
+#include "support/controllers.h"
 #include "support/independent/grbl.h"
 #include "support/programs.h"
 #include "support/random/random_toolpaths.h"
@@ -81,19 +81,21 @@ TEST(Grbl, TakesEveryLine) {
   }
 }
 
+TEST(Dialects, HaveARowOfExpectationsEach) {
+  std::vector<std::string> rows;
+  for (const test_support::Controller& one : test_support::controllers()) rows.emplace_back(one.name);
+  EXPECT_EQ(rows, controller_names());
+}
+
 TEST(Dialects, LinesFitTheControl) {
-  const std::map<std::string, std::size_t> limits{
-      {"linuxcnc", 255}, {"grbl", 79},       {"fanuc", 80},   {"haas", 80},  {"mach3", 80},    {"mach4", 80},
-      {"marlin", 96},    {"heidenhain", 80}, {"siemens", 80}, {"mazak", 80}, {"tormach", 255}, {"okuma", 80}};
-  ASSERT_EQ(limits.size(), post::post_dialects().size());
-  for (const auto& [dialect, limit] : limits) {
+  for (const test_support::Controller& one : test_support::controllers()) {
     for (const bool inch : {false, true}) {
-      PostOptions options = options_for(dialect, inch);
+      PostOptions options = options_for(std::string(one.name), inch);
       options.decimals = 6;
       options.header = {std::string(300, 'X')};
       for (const std::string& line :
            lines_of(post::write_program(RandomPath(3).toolpath(3, 50), Part{}, options))) {
-        EXPECT_LE(line.size(), limit) << dialect << ": " << line;
+        EXPECT_LE(line.size(), one.line_length) << one.name << ": " << line;
       }
     }
   }
@@ -112,11 +114,12 @@ TEST(Dialects, NumbersAreNeverMinusZeroOrExponents) {
   }
 }
 
-TEST(Dialects, FanucAndHaasAlwaysWriteThePoint) {
-  for (const std::string dialect : {"fanuc", "haas", "mazak", "okuma"}) {
+TEST(Dialects, ThatCountIncrementsWithoutAPointAlwaysWriteIt) {
+  for (const test_support::Controller& one : test_support::controllers()) {
+    if (!one.always_point) continue;
     int numbers = 0;
-    for (const std::string& line :
-         lines_of(post::write_program(RandomPath(6).toolpath(3, 50), Part{}, options_for(dialect, false)))) {
+    for (const std::string& line : lines_of(post::write_program(RandomPath(6).toolpath(3, 50), Part{},
+                                                                options_for(std::string(one.name), false)))) {
       std::istringstream words(words_of(line));
       for (std::string word; words >> word;) {
         if (std::string("XYZIJF").find(word[0]) == std::string::npos) continue;
@@ -129,22 +132,12 @@ TEST(Dialects, FanucAndHaasAlwaysWriteThePoint) {
 }
 
 TEST(Dialects, WordsAControlDoesNotKnowAreNotWritten) {
-  const std::map<std::string, std::vector<std::string>> never{
-      {"grbl", {"M6", "G43", "G64", "G61", "%", "H"}},
-      {"marlin", {"M6", "M30", "G28", "G43", "G54", "G21", "T", "(", "%"}},
-      {"mach3", {"%"}},
-      {"fanuc", {"G91.1", "G64"}},
-      {"haas", {"G91.1", "G64", "G28", "M7"}},
-      {"mazak", {"G91.1", "G64", "M29"}},
-      {"tormach", {"%", "G61", "M29"}},
-      {"okuma", {"G43", "G49", "G53", "G54", "G64", "G91", "G28", "G81", "G98", "M29", "P"}},
-      {"siemens", {"%", "(", "G2 R", "G43", "G49", "G80", "G61", "G28", "G21", "G20", "H"}},
-  };
-  for (const auto& [dialect, words] : never) {
+  for (const test_support::Controller& one : test_support::controllers()) {
     const std::string text =
-        post::write_program(RandomPath(7).toolpath(6, 10), Part{}, options_for(dialect, false));
+        post::write_program(RandomPath(7).toolpath(6, 10), Part{}, options_for(std::string(one.name), false));
     for (const std::string& line : lines_of(text)) {
-      for (const std::string& word : words) EXPECT_EQ(words_of(line).find(word), std::string::npos) << line;
+      for (const std::string_view word : one.never)
+        EXPECT_EQ(words_of(line).find(word), std::string::npos) << line;
     }
   }
 }

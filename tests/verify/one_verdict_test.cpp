@@ -19,9 +19,6 @@
 namespace clearcut {
 namespace {
 
-constexpr const char* kControls[] = {"linuxcnc", "grbl",    "fanuc", "haas",    "heidenhain", "mach3",
-                                     "mach4",    "siemens", "mazak", "tormach", "marlin",     "okuma"};
-
 /// Verdict and the names of faults and conditions, those that are met included.
 std::string told(const Findings& findings) {
   std::vector<std::string> names;
@@ -61,7 +58,7 @@ PlanOptions random_options(Random& random) {
     options.tools.push_back(resolve::parse_tool("endmill:2"));
     options.shop.rest = true;
   }
-  options.post.dialect = kControls[random.below(std::size(kControls))];
+  options.post.dialect = kControllers[random.below(std::size(kControllers))];
   options.post.length_offset = random.below(3) > 0;
   options.post.tool_changer = random.below(4) > 0;
   options.post.inch = random.below(5) == 0;

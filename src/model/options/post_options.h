@@ -1,5 +1,4 @@
-// Options for writing a program for its controller: the controllers by their names in options, jobs and files, the
-// work offset, and the end position after all cuts.
+// Options for writing a program for its controller, the work offset, and the end position after all cuts.
 #pragma once
 
 #include <algorithm>
@@ -11,25 +10,9 @@
 #include "base/tolerances.h"
 #include "base/units.h"
 #include "geometry/vec2.h"
+#include "model/dialect.h"
 
 namespace clearcut::inline model {
-
-/// Their rows are in src/post/words/iso_dialect.cpp (Klartext has a writer of its own) and
-/// src/read/gcode/program/dialect.cpp.
-inline constexpr std::string_view kControllers[] = {"linuxcnc",   "grbl",  "fanuc",   "haas",
-                                                    "heidenhain", "mach3", "mach4",   "marlin",
-                                                    "siemens",    "mazak", "tormach", "okuma"};
-
-inline std::vector<std::string> controller_names() {
-  return {std::begin(kControllers), std::end(kControllers)};
-}
-
-/// "linuxcnc, grbl, ..."
-inline std::string controllers_text() {
-  std::string text;
-  for (const std::string_view name : kControllers) text.append(text.empty() ? "" : ", ").append(name);
-  return text;
-}
 
 struct EndPosition {
   enum class Kind : unsigned char {
@@ -84,7 +67,7 @@ struct WearCompensation {
 };
 
 struct PostOptions {
-  std::string dialect = "linuxcnc";  ///< linuxcnc grbl fanuc haas heidenhain mach3 mach4 marlin
+  std::string dialect = "linuxcnc";  ///< one of kControllers
   bool inch = false;
   std::string program_name;         ///< "1234" or "O1234" gives Fanuc and Haas their program number
   std::vector<std::string> header;  ///< comment lines: part, stock, tools, times, certificate summary

@@ -444,10 +444,9 @@ TEST(Resume, RandomStopsMakeTheSamePart) {
                           circle("DRILL_D12", {50.8, 20.32}, 2.5));
   Random random(49);
   Counted counted;
-  for (const char* dialect : {"linuxcnc", "grbl", "fanuc", "haas", "mach3", "mach4", "mazak", "tormach",
-                              "marlin", "heidenhain", "siemens", "okuma"}) {
+  for (const std::string& dialect : controller_names()) {
     for (const bool inch : {false, true}) {
-      if (inch && std::string(dialect) == "marlin") continue;
+      if (inch && dialect == "marlin") continue;
       PlanOptions options = with({"endmill:6", "drill:5"});
       options.post.dialect = dialect;
       options.post.inch = inch;
