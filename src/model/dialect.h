@@ -21,14 +21,15 @@ enum class Dialect : unsigned char {
   kSiemens,
   kMazak,
   kTormach,
-  kOkuma
+  kOkuma,
+  kGrblHal
 };
 
 /// In the order of Dialect. Their rows are in src/post/words/iso_dialect.cpp (Klartext has a writer of its own) and
 /// src/read/gcode/program/dialect.cpp.
-inline constexpr std::string_view kControllers[] = {"linuxcnc",   "grbl",  "fanuc",   "haas",
-                                                    "heidenhain", "mach3", "mach4",   "marlin",
-                                                    "siemens",    "mazak", "tormach", "okuma"};
+inline constexpr std::string_view kControllers[] = {"linuxcnc", "grbl",  "fanuc",  "haas",    "heidenhain",
+                                                    "mach3",    "mach4", "marlin", "siemens", "mazak",
+                                                    "tormach",  "okuma", "grblhal"};
 
 inline std::vector<std::string> controller_names() {
   return {std::begin(kControllers), std::end(kControllers)};

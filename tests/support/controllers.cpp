@@ -96,6 +96,15 @@ std::span<const Controller> controllers() {
        .work_offsets_said = "it has G15 H1 to H200",
        .home = " G30 P1",
        .home_condition = "g30-home"},
+      {.name = "grblhal",
+       .line_length = 255,
+       .never = {"G43", "G64", "%", "H", "M29", "G84", "G41"},
+       .mist_condition = "m7",
+       .work_offsets = {"G55", "G59", "G59.1", "G59.3"},
+       .work_offsets_said = "it has G54 to G59, G59.1 to G59.3",
+       .home = kStoredHome,
+       .home_condition = "g28-home",
+       .pecks = "G83"},
   };
   return rows;
 }

@@ -13,13 +13,13 @@ struct Controller {
   std::string_view name;
   std::size_t line_length = 80;                ///< of the longest line that it takes
   bool always_point = false;                   ///< a coordinate without a point is in increments
-  std::vector<std::string_view> never;         ///< what no block of its programs contains
-  std::string_view mist_condition;             ///< empty: every such control has mist
-  std::vector<std::string_view> work_offsets;  ///< of all_work_offsets(), without G54
-  std::string_view work_offsets_said;          ///< behind "has no ...: ", for the others
-  std::string_view home;                       ///< blocks of the end position "home"; empty: it has none
-  std::string_view home_condition;             ///< empty: home is a place of the machine
-  std::string_view pecks;                      ///< word of its pecking cycle; empty: its holes are moves
+  std::vector<std::string_view> never = {};         ///< what no block of its programs contains
+  std::string_view mist_condition = {};             ///< empty: every such control has mist
+  std::vector<std::string_view> work_offsets = {};  ///< of all_work_offsets(), without G54
+  std::string_view work_offsets_said = {};          ///< behind "has no ...: ", for the others
+  std::string_view home = {};                       ///< blocks of the end position "home"; empty: it has none
+  std::string_view home_condition = {};             ///< empty: home is a place of the machine
+  std::string_view pecks = {};                      ///< word of its pecking cycle; empty: its holes are moves
 };
 
 /// In the order of kControllers; a test holds both equal.

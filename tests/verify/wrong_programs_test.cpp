@@ -142,10 +142,7 @@ TEST(WrongPrograms, CoverEveryDialect) {
     for (const read::DataValue& one : cases.items) dialects.insert(one.find("dialect")->text);
   }
   EXPECT_GT(count, 150U);
-  for (const char* name :
-       {"linuxcnc", "grbl", "fanuc", "haas", "heidenhain", "mach3", "mach4", "marlin", "siemens"}) {
-    EXPECT_TRUE(dialects.count(name) > 0) << name;
-  }
+  for (const std::string& name : controller_names()) EXPECT_TRUE(dialects.count(name) > 0) << name;
 }
 
 }  // namespace

@@ -144,7 +144,7 @@ def holes():
     c.add("sink-round-shallow", CYCLES, round_sink(-3.25), "FAULTY", "uncut", "goes round 50 um too high", **sunk)
     c.add("sink-half-round", CYCLES, round_sink(-3.3, whole=False), "FAULTY", "uncut", "goes round by half a turn", **sunk)
     alike = {"part": "places.dxf", "tools": ["drill:5:T1"]}
-    modal = CYCLES + ["mazak", "tormach"]
+    modal = CYCLES + ["mazak", "tormach", "grblhal"]
     c.right("right-places", modal, places("X20", "X30"), "drills three holes by one cycle", **alike)
     c.add("place-missed", modal, places("X20", "X30.2"), "FAULTY", "gouge", "drills the third 0.2 mm aside", **alike)
     c.add("place-missing", modal, places("X20"), "FAULTY", "nothing-cut", "leaves the third out", **alike)

@@ -10,7 +10,7 @@ ALL = WORD + ["heidenhain"]
 CHANGER = ["linuxcnc", "fanuc", "haas", "mach3", "mach4"]
 ENDING = {"linuxcnc": ".ngc", "grbl": ".nc", "fanuc": ".nc", "haas": ".nc", "mach3": ".tap", "mach4": ".tap",
           "marlin": ".gcode", "heidenhain": ".H", "siemens": ".mpf", "mazak": ".eia", "tormach": ".nc",
-          "okuma": ".min"}
+          "okuma": ".min", "grblhal": ".nc"}
 TOOL = ["endmill:6:T1"]
 #: Controls of machining centres with a magazine: numbers with points, the length on the way down.
 POINTED = ("fanuc", "haas", "mazak", "okuma")
@@ -82,7 +82,7 @@ class Program:
                       "okuma": ["G17 G40 G80 G90 G94", "G15 H1"],
                       "siemens": ["G17 G40 G54 G90 G94"]}.get(
                           d, ["G17 G40 G49 G54 G80 G90 G91.1 G94"])
-        self.path = {"grbl": [], "marlin": [], "siemens": ["G60"],
+        self.path = {"grbl": [], "grblhal": [], "marlin": [], "siemens": ["G60"],
                      "heidenhain": ["CYCL DEF 32.0 TOLERANCE", "CYCL DEF 32.1 T0.0005"]}.get(d, ["G61"])
         self.home = {"fanuc": ["G91 G28 Z0.", "G90"], "mazak": ["G91 G28 Z0.", "G90"], "haas": ["G53 G0 Z0."], "siemens": ["SUPA G0 Z0 D0"]}.get(d, [])
         self.tool = {"grbl": ["T1"], "marlin": [], "heidenhain": ["TOOL CALL 1 Z S8000"]}.get(d, ["T1 M6"])

@@ -192,6 +192,17 @@ constexpr std::array kDialects{
                .dogleg_rapids = true,
                .end = "M2",
                .largest_radius = 1000},
+    // grblHAL: Grbl's numbers, with M6, cycles and more work offsets. G43 needs a build with a table of tools, and the change of a tool
+    // by hand measures its length: none is written.
+    IsoDialect{.name = "grblhal",
+               .line_length = 255,
+               .fractional_offsets = true,
+               .exact_stop = {},
+               .spindle_wait = 2,
+               .cycles = CycleForm::kWords,
+               .radius = RadiusWord::kNone,
+               .modal_cycles = true,
+               .largest_radius = 1000},
 };
 
 /// Klartext has a writer of its own.

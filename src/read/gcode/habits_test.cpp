@@ -441,6 +441,17 @@ constexpr Habit kHabits[] = {
      "O0002\nG21 G17 G90 G94 G61\nT1 M6\nS8000 M3\nG15 H1\nG0 X10. Y10.\nG56 H1 Z15.\nCALL O1000 Q2\nM2\n",
      "okuma",
      "p:8: 'CALL' is a word of OSP's macros and calls, which are not read; post the moves themselves"},
+    {"Fusion 360 for grblHAL",
+     "%\n(1001)\n(T1 D=6 CR=0 - ZMIN=-3 - FLAT END MILL)\nG90 G94\nG17\nG21\n(2D POCKET1)\nM5\nM9\nT1 "
+     "M6\nS12000 M3\nG54\nG0 X10 Y10\nZ15\nG1 Z-1 F300\nX20 F900\nG0 Z15\nM5\nM30\n%\n",
+     "grblhal", ""},
+    {"grblHAL: a second tool and cycles",
+     "G21 G90 G17 G94\nT1 M6\nS8000 M3\nG0 X10 Y10 Z15\nG1 Z-1 F300\nX20\nG0 Z15\nM5\nT2 M6\nS3000 M3\nG0 X0 "
+     "Y0\nG98 G83 Z-9 R2 Q3 F100\nX5\nG82 Z-2 R2 P0.5\nG80\nG0 Z15\nM30\n",
+     "grblhal", "m6"},
+    {"grblHAL: radius compensation",
+     "G21 G90 G17 G94\nT1 M6\nS8000 M3\nG0 X10 Y10 Z15\nG1 Z-1 F300\nG41 D1 X20\nG40\nM30\n", "grblhal",
+     "p:6: G41 is no word of grblhal; post the program for this control, or name another"},
     {"Heidenhain: tapping by cycle 207",
      "0 BEGIN PGM A MM\n1 TOOL CALL 1 Z S8000 F900\n2 CYCL DEF 32.0 TOLERANCE\n3 CYCL DEF 32.1 T0.01\n4 L "
      "X+10 Y+10 Z+5 R0 FMAX M3\n5 TOOL CALL Z S500\n6 CYCL DEF 207 RIGID TAPPING NEW Q200=2 Q201=-8 Q239=+1 "

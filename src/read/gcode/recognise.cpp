@@ -46,7 +46,7 @@ struct ControlWord {
   Dialect dialect;
 };
 constexpr ControlWord kControlWords[] = {
-    {"GRBL", Dialect::kGrbl},     {"GRBLHAL", Dialect::kGrbl},      {"LINUXCNC", Dialect::kLinuxCnc},
+    {"GRBL", Dialect::kGrbl},     {"GRBLHAL", Dialect::kGrblHal},   {"LINUXCNC", Dialect::kLinuxCnc},
     {"EMC2", Dialect::kLinuxCnc}, {"MACH2", Dialect::kMach3},       {"MACH3", Dialect::kMach3},
     {"MACH4", Dialect::kMach4},   {"PATHPILOT", Dialect::kTormach}, {"TORMACH", Dialect::kTormach},
     {"HAAS", Dialect::kHaas},     {"FANUC", Dialect::kFanuc},       {"MAZAK", Dialect::kMazak},

@@ -142,6 +142,22 @@ bool is_used_on_grbl(char letter, const Block& block, int motion) {
   return letter != 'Q' && is_used_by_motion(letter, motion);
 }
 
+bool is_used_on_grblhal(char letter, const Block& block, int motion) {
+  if (is_used_on_grbl(letter, block, motion) || is_used_by_motion(letter, motion)) return true;
+  switch (letter) {
+    case 'H':
+      return any_of(block.g, {430, 432});
+    case 'P':
+      return any_of(block.m, {480, 490, 500, 510, 530, 620, 630, 640, 650});
+    case 'Q':
+      return any_of(block.m, {610});
+    case 'R':
+      return any_of(block.g, {100});
+    default:
+      return false;
+  }
+}
+
 /// M words of which LinuxCNC takes one in a block, and how many of any kind.
 const std::vector<Codes>& groups_of_m() {
   static const std::vector<Codes> groups{
@@ -184,10 +200,12 @@ std::string word_without_axes(const Block& block, int said, bool is_grbl) {
 /// What the control stops at, "" if it takes the block.
 std::string stray_word(const Control& control, const Block& block) {
   const int said = motion_in(block), motion = said >= 0 ? said : control.motion;
-  const bool is_grbl = control.rules.stray_words == StrayWords::kGrbl;
+  const StrayWords stray = control.rules.stray_words;
+  const bool is_grbl = stray == StrayWords::kGrbl || stray == StrayWords::kGrblHal;
   for (const char letter : std::string_view("DEHIJKLPQR")) {
-    const bool used =
-        is_grbl ? is_used_on_grbl(letter, block, motion) : is_used_on_linuxcnc(letter, block, motion);
+    const bool used = stray == StrayWords::kGrbl      ? is_used_on_grbl(letter, block, motion)
+                      : stray == StrayWords::kGrblHal ? is_used_on_grblhal(letter, block, motion)
+                                                      : is_used_on_linuxcnc(letter, block, motion);
     if (block.has(letter) && !used) return std::string(1, letter) + " word, which no word of its block uses";
   }
   const std::string word = word_without_axes(block, said, is_grbl);

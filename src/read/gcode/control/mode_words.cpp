@@ -213,9 +213,11 @@ void ModeWords::select_tool(const Block& block) {
 
 /// A changer stops the spindle and leaves it so: the M3 counts that comes in this block or later.
 void ModeWords::load_tool() {
-  if (control_.rules.changer)
-    control_.turn_spindle(5);
-  else
+  const bool changes = control_.builder.drive.tool != control_.next_tool;
+  if (control_.rules.changer) control_.turn_spindle(5);
+  if (changes && !control_.rules.change_needs.empty())
+    control_.condition("m6", std::string(control_.rules.change_needs));
+  if (!control_.rules.changer)
     control_.condition("m6", "M6 is no word of the control; what sends the program changes the tool");
   control_.put_tool_in();
   control_.changer = true;
@@ -272,7 +274,7 @@ void ModeWords::set_drive(int m, const Block& block) {
     control_.refuse(
         "M198 calls a subprogram from another device, which is not read; put it into the program and call it "
         "by M98");
-  if (m == 610 && control_.rules.macros == MacroLanguage::kLinuxCnc) return state_tool(block);
+  if (m == 610 && control_.rules.states_tool) return state_tool(block);
   if (m == 960 || m == 970 || (m == 980 && block.has('P'))) {
     control_.macro("subprogram calls are no words of the control; post the program without them");
   }

@@ -18,6 +18,15 @@ constexpr int kGrblWords[] = {0,   10,  20,  30,  40,  100, 170, 180, 190, 200, 
                               300, 301, 382, 383, 384, 385, 400, 431, 490, 530, 540, 550, 560,
                               570, 580, 590, 610, 800, 900, 910, 911, 920, 921, 930, 940};
 
+// grblHAL ("Supported G-Codes" of its README) has these besides; G50 and G51 scale about the zero, as Mach's do. Splines (G5) and words of
+// lathes are left out.
+constexpr int kGrblHalWords[] = {0,   10,  20,  30,  40,  100, 170, 180, 190, 200, 210, 280, 281, 300,
+                                 301, 382, 383, 384, 385, 400, 430, 431, 432, 490, 500, 510, 530, 540,
+                                 550, 560, 570, 580, 590, 591, 592, 593, 610, 730, 800, 810, 820, 830,
+                                 850, 860, 890, 900, 910, 911, 920, 921, 922, 923, 930, 940, 980, 990};
+constexpr int kGrblHalMiscellaneous[] = {0,   10,  20,  30,  40,  50,  60,  70,  80,  90,  300,
+                                         480, 490, 500, 510, 530, 600, 610, 620, 630, 640, 650};
+
 constexpr int kGrblMiscellaneous[] = {0, 10, 20, 30, 40, 50, 70, 80, 90, 300, 560, 990};
 
 // Exact stop once, and the ends of modes that LinuxCNC does not have: it stops there.
@@ -118,6 +127,7 @@ constexpr DialectRules linuxcnc_rules() {
   rules.feed_mode_drops_feed = true;
   rules.resets_modes = true;
   rules.saves_modes = true;
+  rules.states_tool = true;
   rules.polar_words = true;
   rules.compensation = kOfInterpreter;
   return rules;
@@ -305,6 +315,27 @@ constexpr std::array kRules{
                  .osp_words = true,
                  .length_on = "G56",
                  .length_off = "G53"},
+    // grblHAL's cycles are those of LinuxCNC, but return to the height before them where nothing is said.
+    DialectRules{.dialect = Dialect::kGrblHal,
+                 .name = "grblhal",
+                 .title = "grblHAL",
+                 .planner = MotionPlanner::kGrbl,
+                 .end = ProgramEnd::kWordOrText,
+                 .g = {.only = kGrblHalWords},
+                 .m = {.only = kGrblHalMiscellaneous,
+                       .at_others = ", which stops there; what sends the program leaves it out"},
+                 .stray_words = StrayWords::kGrblHal,
+                 .zero_length_is_off = false,
+                 .change_needs = "M6 stops for a change of tools, which $341=4 switches off; $341 is not 4",
+                 .states_tool = true,
+                 .path_words = false,
+                 .cycle_needs_dwell = true,
+                 .feeds_out_to_clear = true,
+                 .scaling = ScalingWords::kAxes,
+                 .keeps_cycle_words = false,
+                 .radius_beats_center = true,
+                 .resets_modes = true,
+                 .mist_needs = "M7 is a word of boards with an output for mist; this one has it"},
 };
 
 constexpr bool rows_are_in_order() {

@@ -67,7 +67,8 @@ enum class StrayWords : unsigned char {
   kIgnored,
   kLinuxCnc,
   kGrbl,
-  kCorners  ///< none; R and Q beside lines do nothing, where a comma before R would round the corner
+  kGrblHal,  ///< as Grbl, and P beside arcs is their turns
+  kCorners   ///< none; R and Q beside lines do nothing, where a comma before R would round the corner
 };
 
 /// G words that only some controls have, by what they are for. A row adds those that its control has.
@@ -130,12 +131,14 @@ struct DialectRules {
   GWords g = {};
   MWords m = {};
   StrayWords stray_words = StrayWords::kIgnored;
-  bool lengths_by_number = false;  ///< G43 without H takes the H word before it, not the tool's own
-  bool zero_length_is_off = true;  ///< G43 H0 is G49; else it is the length of the tool
-  bool changer = true;             ///< M6 and T exist
-  bool path_words = true;          ///< G61, G64; without them the control keeps to the path
-  bool bounded_blending = false;   ///< P of G64 bounds what it rounds
-  bool returns_to_r = false;       ///< cycles return to R until a G98 is seen
+  bool lengths_by_number = false;      ///< G43 without H takes the H word before it, not the tool's own
+  bool zero_length_is_off = true;      ///< G43 H0 is G49; else it is the length of the tool
+  bool changer = true;                 ///< M6 and T exist
+  std::string_view change_needs = {};  ///< what must hold for M6 to change the tool; empty: nothing
+  bool states_tool = false;            ///< M61 Q: which tool is in the spindle
+  bool path_words = true;              ///< G61, G64; without them the control keeps to the path
+  bool bounded_blending = false;       ///< P of G64 bounds what it rounds
+  bool returns_to_r = false;           ///< cycles return to R until a G98 is seen
   bool cycle_rises_over =
       false;  ///< the way over the next hole goes up to the height before the cycles at once
   bool cycle_goes_over_below_r = false;  ///< from below R it goes over the hole at that height, and up there
