@@ -114,7 +114,8 @@ class RandomPart {
     return maybe() ? std::optional(random_.between(low, high)) : std::nullopt;
   }
   std::optional<MmPerMin> perhaps_feed() {
-    return maybe() ? std::optional(MmPerMin::of(random_.between(50, 3000))) : std::nullopt;
+    const double most = random_.below(8) == 0 ? 400000 : 3000;  // also faster than many files' mm/min in m/s
+    return maybe() ? std::optional(MmPerMin::of(random_.between(50, most))) : std::nullopt;
   }
 
   void make_tools() {
@@ -147,7 +148,7 @@ class RandomPart {
     op.cutting.plunge_feed = perhaps_feed();
     op.cutting.ramp_feed = perhaps_feed();
     op.cutting.slot_feed = perhaps_feed();
-    op.cutting.spindle_rpm = perhaps(500, 40000);
+    op.cutting.spindle_rpm = perhaps(500, random_.below(8) == 0 ? 90000 : 40000);
     op.cutting.spindle_clockwise = !op.cutting.spindle_rpm || maybe();
     if (maybe()) op.cutting.coolant = static_cast<Coolant>(1 + random_.below(3));
     if (maybe()) op.retract_z = 1;  // set to 2 mm above the top once that is known

@@ -227,6 +227,15 @@ void read_schemas(P21File& file) {
   }
 }
 
+void read_originating_system(P21File& file) {
+  constexpr std::size_t kPlace = 5;
+  for (const P21Record& record : file.header) {
+    if (upper(record.keyword) != "FILE_NAME" || record.count <= kPlace) continue;
+    const P21Value system = file.arguments(record)[kPlace];
+    if (system.kind == P21Kind::kString) file.originating_system = p21_decoded(system.text);
+  }
+}
+
 }  // namespace
 
 const P21Entity* P21File::find(std::uint64_t id) const {
@@ -262,6 +271,7 @@ P21File parse_part21(std::string_view text, const std::string& file_name) {
   file.index_ids();
   file.uses_ = std::make_unique<UseLedger>(file.values.size());
   read_schemas(file);
+  read_originating_system(file);
   return file;
 }
 

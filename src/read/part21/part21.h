@@ -61,6 +61,7 @@ class P21File {
 
   std::string name;                  ///< for messages
   std::vector<std::string> schemas;  ///< FILE_SCHEMA, upper case
+  std::string originating_system;    ///< FILE_NAME; empty where none is stated
   std::vector<P21Entity> entities;   ///< in file order
   std::vector<P21Record> records;
   std::vector<P21Value> values;

@@ -111,7 +111,7 @@ void read_spindle(const Node& technology, const Tool& tool, bool left_handed, Cu
     context.note("no spindle speed; the planner's default is used", technology);
     return;
   }
-  const bool per_minute = *speed > kFastestCut;
+  const bool per_minute = !context.standard_units && *speed > kFastestCut;
   if (per_minute) context.note("the cutting speed is read as m/min: it is too fast for m/s", technology);
   const double m_per_min = *speed * (per_minute ? 1 : 60);
   cutting.spindle_rpm = m_per_min * 1000 / (kPi * tool.diameter);
@@ -353,23 +353,23 @@ void read_depths(const Node& node, const Tool& tool, Operation& operation, Conte
 }
 
 /// A share of a feed: files write ratios or percent.
-double share_of(const Node& node, std::size_t argument) {
+double share_of(const Node& node, std::size_t argument, const Context& context) {
   constexpr double kMostRatio = 2;
   const double value = node.number(argument).value_or(1);
   if (value <= 0)
     node.fail("argument " + std::to_string(argument + 1) + " is a share of zero or less; correct it");
-  return value > kMostRatio ? value / 100 : value;
+  return !context.standard_units && value > kMostRatio ? value / 100 : value;
 }
 
 /// Reduced feeds where the hole begins and before it ends.
-void read_drilling_strategy(const Node& node, HoleFeeds& feeds) {
+void read_drilling_strategy(const Node& node, HoleFeeds& feeds, const Context& context) {
   const auto strategy = node.ref(13);
   if (!strategy) return;
   if (!strategy->is("DRILLING_TYPE_STRATEGY"))
     strategy->fail("a DRILLING_TYPE_STRATEGY is needed here; correct the reference");
-  feeds.start_share = share_of(*strategy, 1);
+  feeds.start_share = share_of(*strategy, 1, context);
   feeds.start_depth = positive(strategy->length(2)).value_or(0);
-  feeds.end_share = share_of(*strategy, 4);
+  feeds.end_share = share_of(*strategy, 4, context);
   feeds.end_depth = positive(strategy->length(5)).value_or(0);
 }
 
@@ -387,14 +387,14 @@ void use_start_at_center(const Node& node) {
   if (at.size() >= 2 && at[0] == 0 && at[1] == 0) node.use(4);
 }
 
-void read_drilling(const Node& node, StatedOperation& stated) {
+void read_drilling(const Node& node, StatedOperation& stated, const Context& context) {
   use_start_at_center(node);
   stated.depth = positive(node.length(9));
   stated.previous_diameter = positive(node.length(10));
   HoleFeeds feeds;
   feeds.dwell_s = positive(node.number(11)).value_or(0);
-  if (!node.unset(12) && node.number(12) != 0.0) feeds.retract_share = share_of(node, 12);
-  read_drilling_strategy(node, feeds);
+  if (!node.unset(12) && node.number(12) != 0.0) feeds.retract_share = share_of(node, 12, context);
+  read_drilling_strategy(node, feeds, context);
   if (differs_from_one_feed(feeds)) stated.operation.hole_feeds = feeds;
   if (node.is("TAPPING")) stated.is_floating = node.flag(14) == true;
   if (!node.is("MULTISTEP_DRILLING")) return;
@@ -422,7 +422,7 @@ void check_cutter(const Node& node, const Operation& operation, const Tool& tool
 std::optional<MmPerMin> feed_of_technology(const Node& technology, Context& context) {
   const auto feed = technology.number(0);
   if (!feed || *feed <= 0) return std::nullopt;
-  const bool per_minute = *feed > kFastestFeed;
+  const bool per_minute = !context.standard_units && *feed > kFastestFeed;
   if (per_minute) context.note("the feed is read as mm/min: it is too fast for m/s", technology);
   return MmPerMin::of(*feed * (per_minute ? 1 : 60000));
 }
@@ -446,7 +446,7 @@ StatedOperation read_operation(const Node& node, const Tools& tools, Context& co
     if (const auto body = tool_node.sound_ref(1)) refuse_listed(*body);
   check_cutter(node, operation, tool);
   if (goes_straight_down(operation)) {
-    read_drilling(node, stated);
+    read_drilling(node, stated, context);
   } else {
     read_depths(node, tool, operation, context);
     read_approach(node, operation, context);

@@ -238,6 +238,17 @@ TEST(StepNc, SpindleAndFeedInOtherUnitsAreRecognisedAndReported) {
   EXPECT_NEAR(part.workplan[0].operation.cutting.feed->mm_per_min(), 0.05 * 3 * rpm, 1e-9) << "per tooth";
 }
 
+TEST(StepNc, FilesOfItsOwnWriterAreInTheUnitsOfTheStandard) {
+  Program p;
+  p.with(34, "MILLING_TECHNOLOGY(2.5,.TCP.,$,-1200.,$,$,$,$,$)");
+  EXPECT_EQ(p.read().workplan[0].operation.cutting.feed, MmPerMin::of(2.5)) << "of anybody: mm/min";
+  const Part part = p.by("clearcut").read();
+  EXPECT_EQ(part.workplan[0].operation.cutting.feed, MmPerMin::of(150000));
+  EXPECT_EQ(part.workplan[0].operation.cutting.spindle_rpm, 72000);
+  EXPECT_EQ(part.workplan[0].operation.entry_angle, Radians::of(0.05));
+  EXPECT_THAT(all_diagnostics(part), Not(HasSubstr("read as")));
+}
+
 TEST(StepNc, OnlyALeftHandCutterTurningPositiveRunsCounterClockwise) {
   Program p;
   p.with(34, "MILLING_TECHNOLOGY(0.01,.TCP.,$,100.,$,$,$,$,$)");

@@ -21,12 +21,19 @@ class Program {
   Program& feature(const std::string& entity) { return with(20, entity); }
 
   std::string text() const {
-    std::string out = "ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('" + schema_ + "'));\nENDSEC;\nDATA;\n";
+    std::string out = "ISO-10303-21;\nHEADER;\n";
+    if (!writer_.empty()) out += "FILE_NAME('','',(''),(''),'','" + writer_ + "','');\n";
+    out += "FILE_SCHEMA(('" + schema_ + "'));\nENDSEC;\nDATA;\n";
     for (const auto& [id, entity] : entities_) out += "#" + std::to_string(id) + "=" + entity + ";\n";
     return out + "ENDSEC;\nEND-ISO-10303-21;\n";
   }
   Program& schema(const std::string& name) {
     schema_ = name;
+    return *this;
+  }
+  /// The originating system that the header names.
+  Program& by(const std::string& writer) {
+    writer_ = writer;
     return *this;
   }
   Part read() const { return read_stepnc(text(), "t.p21", {}); }
@@ -41,6 +48,7 @@ class Program {
 
  private:
   std::string schema_ = "MACHINING_SCHEMA";
+  std::string writer_;
   std::map<int, std::string> entities_ = {
       {1, "PROJECT('P',#2,(#3),$,$,$)"},
       {2, "WORKPLAN('MAIN',(#10),$,#4,$)"},

@@ -337,7 +337,8 @@ constexpr AnglePlace kAngles[] = {{"PLUNGE_RAMP", 1},
                                   {"CIRCULAR_OFFSET", 0},
                                   {"MILLING_TOOL_DIMENSION", 1},
                                   {"TOOL_DIMENSION", 1}};
-constexpr double kFastestSpindle = 1000;  // 1/s: 60 000 rpm
+constexpr double kFastestSpindle = 1000;        // 1/s: 60 000 rpm
+constexpr const char* kOwnWriter = "clearcut";  // in the header that write_stepnc() writes
 
 std::optional<double> plain_number(const P21File& file, const P21Record& record, std::size_t i) {
   const auto arguments = file.arguments(record);
@@ -350,7 +351,11 @@ std::optional<double> plain_number(const P21File& file, const P21Record& record,
 }  // namespace
 
 Context::Context(const P21File& file_in, const Tolerances& tol_in, bool in_degrees)
-    : file(file_in), tol(tol_in), degrees(in_degrees) {
+    : file(file_in),
+      tol(tol_in),
+      degrees(in_degrees),
+      standard_units(file_in.originating_system == kOwnWriter) {
+  if (standard_units) return;
   for (const P21Record& record : file.records) {
     for (const AnglePlace& place : kAngles) {
       if (record.keyword != place.keyword) continue;
@@ -378,7 +383,8 @@ double Context::angle(double value) const {
 }
 
 double Context::draft_angle(double value) const {
-  return degrees || std::abs(value) >= kPi / 2 ? value * kPi / 180.0 : value;
+  const bool is_past_level = !standard_units && std::abs(value) >= kPi / 2;
+  return degrees || is_past_level ? value * kPi / 180.0 : value;
 }
 
 void Context::gather(Severity severity, const std::string& what, const Node& node) {

@@ -101,6 +101,8 @@ class Context {
   std::optional<std::uint64_t> workpiece;  ///< the one that is machined
   std::set<std::uint64_t> operations;      ///< those that a workingstep of the workplan carries out
   bool spindle_rpm = false;  ///< spindle speeds are in rpm (some are 1000 per second or more), else 1/s
+  /// Feeds, speeds, angles and shares are in the standard's units for certain: the file is of Clearcut's own writer.
+  bool standard_units = false;
 
   /// File's angle to radians.
   double angle(double value) const;
