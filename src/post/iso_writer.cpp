@@ -388,7 +388,8 @@ void IsoWriter::write_moves(std::span<const Move> run, const Section& section, c
   const std::span<const Move> moves(joined);
   for (std::size_t i = 0; i < moves.size(); ++i) {
     end_cycle();
-    const auto hole = hole_at(moves.subspan(i), at_floor);
+    const bool taps_by_words = tap && dialect_.tapping == Tapping::kByWords;
+    const auto hole = taps_by_words ? std::nullopt : hole_at(moves.subspan(i), at_floor);
     if (hole && held_.height && held_.at.z == hole->above) {
       if (dialect_.cycles == CycleForm::kCalls)
         call_cycle({*hole, tap, std::llround(section.spindle_rpm), section.spindle_clockwise, at_floor});

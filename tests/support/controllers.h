@@ -11,8 +11,8 @@ namespace clearcut::test_support {
 
 struct Controller {
   std::string_view name;
-  std::size_t line_length = 80;                ///< of the longest line that it takes
-  bool always_point = false;                   ///< a coordinate without a point is in increments
+  std::size_t line_length = 80;                     ///< of the longest line that it takes
+  bool always_point = false;                        ///< a coordinate without a point is in increments
   std::vector<std::string_view> never = {};         ///< what no block of its programs contains
   std::string_view mist_condition = {};             ///< empty: every such control has mist
   std::vector<std::string_view> work_offsets = {};  ///< of all_work_offsets(), without G54
