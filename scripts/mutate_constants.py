@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Changes every number in the sources of the published methods by 1 %, one at a time, and expects a quick test to fail.
+"""Changes every number, or every term, in the sources of the published methods by 1 %, one at a time, and expects a quick test to fail.
 
-Usage: scripts/mutate_constants.py [--build FOLDER] [--list] [--first N] [--last N] [SOURCE...]
+Usage: scripts/mutate_constants.py [--build FOLDER] [--terms] [--list] [--first N] [--last N] [--sample N [--seed S]] [SOURCE...]
 
-The numbers are found in the sources listed below; scripts/mutants.sh has the changes of terms and of defaults in headers. The test
+The numbers are found in the sources listed below; terms are the names and calls of floating point beside + - * /. --sample draws some of
+them. scripts/mutants.sh has the changes of defaults in headers. The test
 programs must be built. The sources stay as they are: a changed copy is compiled with the flags of the build folder and linked in
 front of the libraries, so that a change takes seconds. Where the build joins the sources of a folder, a change that survives is tried
 again with the whole folder. A whole number of which 1 % is cut off is changed by one. Numbers that are none of a method
@@ -13,6 +14,7 @@ Exit code 1 if a change survives.
 import argparse
 import json
 import pathlib
+import random
 import re
 import shlex
 import subprocess
@@ -20,6 +22,11 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+# A name, member or call without nested brackets, before or after an operator.
+TERM = re.compile(r"(?:(?<=[-+*/] )|(?<=[-+*/]= )|(?=[\w.:>()-]+(?:\([^()]*\))? [-+*/] ))"
+                  r"(?<![\w.:>])((?:[A-Za-z_]\w*(?:::|\.|->))*[A-Za-z_]\w*(?:\([^()]*\))?)(?![\w(.:]|->)")
+# Takes numbers with a point alone: counts and indexes do not compile.
+GROWN = "#include <concepts>\ntemplate <std::floating_point T> constexpr T grown_by_one_percent(T x) { return T(1.01) * x; }\n#line 1\n"
 NUMBER = re.compile(r"(?<![\w.\"{%:'])(\d+\.?\d*(?:e-?\d+)?)(?![\w\"'])")
 PUBLISHED = ("pipeline_test", "PublishedConstants.*:Engagement*:MachineTime.*")
 GRID = ("tests/system_test", "*Interpolator*:*Reduction*:*Table1*:EdgePointSearch*:ElementJob*")
@@ -126,8 +133,17 @@ def mutants_of(source):
                 yield at, match.start(), match[0]
 
 
+def terms_of(source):
+    """(line number, column, term) of every name or call beside an operator."""
+    for at, line in enumerate((ROOT / source).read_text().splitlines()):
+        for match in TERM.finditer(code_of(line)):
+            yield at, match.start(1), match[1]
+
+
 def texts_of(number):
-    """The number in double 1 % greater; for one without a point also the next whole one."""
+    """The number in double 1 % greater, for one without a point also the next whole one; a term that has grown by 1 %."""
+    if not number[0].isdigit():
+        return [f"grown_by_one_percent({number})"]
     greater = repr(float(number) * 1.01)
     return [greater] if "." in number or "e" in number else [greater, str(int(number) + 1)]
 
@@ -181,7 +197,7 @@ class Trial:
             self.originals[source] = self.code_in(self.object_of(source, "".join(lines), "one"))
         for changed in texts_of(number):
             line = lines[at][:column] + changed + lines[at][column + len(number) :]
-            text = "".join(lines[:at] + [line] + lines[at + 1 :])
+            text = ("" if number[0].isdigit() else GROWN) + "".join(lines[:at] + [line] + lines[at + 1 :])
             made = self.object_of(source, text, "one")
             if made is None:
                 continue  # 1 % more is no value there
@@ -196,6 +212,9 @@ class Trial:
 def main():
     asked = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     asked.add_argument("--build", type=pathlib.Path, default=ROOT / "build/release")
+    asked.add_argument("--terms", action="store_true", help="change terms, not numbers")
+    asked.add_argument("--sample", type=int, default=0, help="only so many, drawn by the seed")
+    asked.add_argument("--seed", type=int, default=1)
     asked.add_argument("--list", action="store_true", help="only list the numbers")
     asked.add_argument("--first", type=int, default=1)
     asked.add_argument("--last", type=int, default=100000)
@@ -203,23 +222,26 @@ def main():
     options = asked.parse_args()
     LEFT_OUT.update(json.loads(LEFT_OUT_FILE.read_text()))
     count = {"killed": 0, "SURVIVED": 0, "SAME": 0, "left out": 0}
-    number_of = 0
+    found = terms_of if options.terms else mutants_of
+    changes = [(source, *change) for source in options.sources or SOURCES for change in found(source)]
+    drawn = range(len(changes))
+    if options.sample:
+        drawn = sorted(random.Random(options.seed).sample(drawn, min(options.sample, len(changes))))
     with tempfile.TemporaryDirectory() as folder:
         trial = Trial(Build(options.build.resolve()), folder)
-        for source in options.sources or SOURCES:
-            for at, column, number in mutants_of(source):
-                number_of += 1
-                if not options.first <= number_of <= options.last:
-                    continue
-                line = (ROOT / source).read_text().splitlines()[at]
-                reason = reason_of(source, line)
-                if reason or options.list:
-                    verdict = f"left out ({reason})" if reason else ""
-                    count["left out"] += 1 if reason else 0
-                else:
-                    verdict = trial.verdict(source, at, column, number)
-                    count[verdict.split()[0]] += 1
-                print(f"{number_of:3} {verdict:20} {source}:{at + 1}: {number}: {line.strip()}", flush=True)
+        for number_of in drawn:
+            source, at, column, number = changes[number_of]
+            if not options.first <= number_of + 1 <= options.last:
+                continue
+            line = (ROOT / source).read_text().splitlines()[at]
+            reason = reason_of(source, line)
+            if reason or options.list:
+                verdict = f"left out ({reason})" if reason else ""
+                count["left out"] += 1 if reason else 0
+            else:
+                verdict = trial.verdict(source, at, column, number)
+                count[verdict.split()[0]] += 1
+            print(f"{number_of + 1:3} {verdict:20} {source}:{at + 1}: {number}: {line.strip()}", flush=True)
     print(", ".join(f"{number} {name}" for name, number in count.items()))
     return 1 if count["SURVIVED"] else 0
 

@@ -28,6 +28,7 @@ constexpr double kLengthRadius = 4, kLengthStep = 7.2;
 constexpr double kCuttingSpeed = 36.6;  // m/min
 /// mm: from this radius on the printed times of all methods are equal.
 constexpr double kSameForAll = 10;
+constexpr int kMostCorners = 10;
 /// One feed for all cutters each, as multiples of the one that fits the printed times.
 constexpr std::array<double, 4> kTrendFeeds{0.5, 1, 2, 4};
 /// Length of a circle over the way along a bisector from contour to contour, half as wide as which it is.
@@ -152,6 +153,25 @@ FittedFeed fitted_feed(const Region& polygon) {
   return fit;
 }
 
+/// Contours of a convex outline shorten ever faster with their distance from the wall (lengths of inner parallel bodies are concave).
+/// Returns the least minutes of the one contour of a cutter by eq. 9, from those of a smaller one at the same feed, with room for a
+/// third between the walls and at most `kMostCorners` corners.
+double least_minutes_in_convex(double radius, const CutterRow& smaller, double widest) {
+  const double stops = published_seconds(0, kMostCorners) / 60;
+  return (widest - radius) / (widest - smaller.radius) * (smaller.present - stops);
+}
+
+/// That no convex outline has the printed times of the widest cutters by one feed.
+std::string limit_of_convex() {
+  constexpr const CutterRow &one_contour = kCutters[8], &next = kCutters[9], &widest = kCutters[10];
+  return fmt::format(
+      "no convex outline has these times by one feed: contours shorten ever faster inwards, so that one with "
+      "room for {} mm, {:.2f} min at R = {} and up to {} corners takes at least {:.2f} min at R = {}, where "
+      "{:.2f} is printed",
+      widest.radius, one_contour.present, one_contour.radius, kMostCorners,
+      least_minutes_in_convex(next.radius, one_contour, widest.radius), next.radius, next.present);
+}
+
 /// What the printed times of table 3 follow, and how well.
 std::string law_of_times(const FittedFeed& fit) {
   return fmt::format(
@@ -254,6 +274,7 @@ Reproduction cutter_comparison() {
                   "tooth V_f would go as 1/R, and the "
                   "times of all cutters be nearly the same",
                   law_of_times(fit), kCuttingSpeed));
+  table.notes.push_back(limit_of_convex());
   table.notes.emplace_back(
       "their outline is not printed, the polygon is ours with their smallest angle, 30 degrees; the cutter "
       "as wide as the polygon "

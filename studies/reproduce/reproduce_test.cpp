@@ -389,6 +389,14 @@ TEST(Reproduction, TableThreeAndItsTrendAreByOneFittedFeed) {
   EXPECT_TRUE(law_in(trend).starts_with("V_f = " + trend.table.rows.at(1).at(0) + " mm/min"));
 }
 
+/// (20.46 - 13) / (20.46 - 10) (2.03 - 2 (1 + 10) 0.177 / 60) min.
+TEST(Reproduction, TableThreeSaysThatNoConvexOutlineHasItsTimes) {
+  const auto& notes = made(reproducible_table("cutters")).table.notes;
+  EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
+    return note.ends_with("up to 10 corners takes at least 1.40 min at R = 13, where 1.14 is printed");
+  }));
+}
+
 TEST(Texts, CheapTablesComeFirst) {
   double before = 0;
   for (const auto& table : reproducible_tables()) {

@@ -14,7 +14,7 @@ enum class Agreement {
   kComputed,   ///< so is that of a formula; nothing was planned
   kPrinted,    ///< other printed figures add up to it; nothing of ours is in it
   kExplained,  ///< differs by no more than the stated reason can make it
-  kDiffers     ///< differs by more, or nobody can say why
+  kDiffers     ///< differs by more; the reason says what is known
 };
 
 /// From the best to the worst.

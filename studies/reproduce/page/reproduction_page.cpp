@@ -34,8 +34,8 @@ figure { margin: 1em 0; } figure svg { max-width: 100%; height: auto; background
 <span class="key agrees">the system ran, and its figure is the printed one</span>
 <span class="key computed">a formula gives the printed figure</span>
 <span class="key printed">other printed figures add up to it</span>
-<span class="key explained">differs for a known reason</span>
-<span class="key differs">differs, and we cannot say why</span>.
+<span class="key explained">differs by no more than the reason below its table can make it</span>
+<span class="key differs">differs by more; below its table stands what is known of why</span>.
 Pointing at a cell shows the printed figure.</p>
 )";
 
