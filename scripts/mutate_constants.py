@@ -36,7 +36,7 @@ SOURCES = {
     "src/plan/contour/side_offsets.cpp": [("plan_test", "Formulas.*:SideOffsets.*:StepRule.*:Mitred*")],
     "src/plan/contour/step_rule.cpp": [("plan_test", "Formulas.*:StepRule.*")],
     "src/kinematics/kinematics.cpp": [("kinematics_test", "*")],
-    "src/order/objective.cpp": [PUBLISHED, ("order_test", "Problem.*:TurnAngle.*")],
+    "src/order/objective.cpp": [PUBLISHED, ("order_test", "Objective.*:Problem.*:TurnAngle.*")],
     "src/plan/contour/published_rings.cpp": [("plan_test", "CornerLoop.*:Passages.*:MitredRings.*:MitredInset.*")],
     "src/order/moves.cpp": [("order_test", "Moves.*:TurnAngle.*:Problem.*")],
     "src/order/genetic/genetic.cpp": [("order_test", "Genetic.*")],

@@ -47,6 +47,50 @@ TEST(Kinematics, RightAngleSlowsToTheJunctionSpeed) {
   EXPECT_NEAR(kinematic_time(moves, kMachine).seconds(), 2 * (ramps + (100 - ramp_mm) / 60), 1e-9);
 }
 
+/// From v0 to v1 with `top` between, which is reached; at 500 mm/s2.
+double seconds_of(double length, double v0, double top, double v1) {
+  const double a = kMachine.acceleration;
+  const double ramps = (2 * top * top - v0 * v0 - v1 * v1) / (2 * a);
+  return (2 * top - v0 - v1) / a + (length - ramps) / top;
+}
+
+Move sloping(Move move, double z_from, double z_to) {
+  move.z_from = z_from;
+  move.z_to = z_to;
+  return move;
+}
+
+TEST(Kinematics, CornersInSpaceSlowByTheAngleInSpace) {
+  // (100, 0, -30) and then (60, 80, 20): 5400 is the product of their components.
+  const std::vector<Move> moves{sloping(feed_line({0, 0}, {100, 0}, 3600), 5, -25),
+                                sloping(feed_line({100, 0}, {160, 80}, 3600), -25, -5)};
+  const double first = std::hypot(100, 30), second = std::hypot(100, 20);
+  const double s = std::sqrt((1 + 5400 / (first * second)) / 2);
+  const double v = std::sqrt(kMachine.acceleration * kMachine.junction_deviation * s / (1 - s));
+  EXPECT_NEAR(kinematic_time(moves, kMachine).seconds(),
+              seconds_of(first, 0, 60, v) + seconds_of(second, v, 60, 0), 1e-9);
+}
+
+TEST(Kinematics, HelicesAreAsFastAsTheirCurvatureInSpaceAllows) {
+  // Half a turn of radius 20 that falls 30 mm, then level along its tangent in plan.
+  const double plan = 20 * kPi, climb = 30 / plan, length = std::hypot(plan, 30.0);
+  const double top = std::sqrt(kMachine.acceleration * 20 * (1 + climb * climb));
+  const double s = std::sqrt((1 + plan / length) / 2);
+  const double v = std::sqrt(kMachine.acceleration * kMachine.junction_deviation * s / (1 - s));
+  const std::vector<Move> moves{sloping(feed_arc({0, -20}, {0, 20}, {0, 0}, 12000), 5, -25),
+                                sloping(feed_line({0, 20}, {-300, 20}, 12000), -25, -25)};
+  EXPECT_NEAR(kinematic_time(moves, kMachine).seconds(),
+              seconds_of(length, 0, top, v) + seconds_of(300, v, 200, 0), 1e-9);
+}
+
+TEST(Kinematics, TheSlowerOfTwoMovesRulesBetweenThem) {
+  const Move slow = feed_line({0, 0}, {100, 0}, 1800), fast = feed_line({100, 0}, {200, 0}, 3600);
+  const double expected = seconds_of(100, 0, 30, 30) + seconds_of(100, 30, 60, 0);
+  EXPECT_NEAR(kinematic_time(std::vector<Move>{slow, fast}, kMachine).seconds(), expected, 1e-9);
+  const Move first = feed_line({0, 0}, {100, 0}, 3600), second = feed_line({100, 0}, {200, 0}, 1800);
+  EXPECT_NEAR(kinematic_time(std::vector<Move>{first, second}, kMachine).seconds(), expected, 1e-9);
+}
+
 TEST(Kinematics, ReversalStops) {
   const std::vector<Move> there_and_back{feed_line({0, 0}, {100, 0}, 3600),
                                          feed_line({100, 0}, {0, 0}, 3600)};

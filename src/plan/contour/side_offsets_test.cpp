@@ -228,6 +228,31 @@ TEST(SideOffsets, TwoAnglesBecomeOne) {
   EXPECT_TRUE(merged);
 }
 
+/// A cut corner vanishes, whatever side comes first, and arcs smaller than the step leave nothing in the contour (CPO-rho appendix B).
+TEST(SideOffsets, ACornerThatWasCutIsSharpFartherIn) {
+  const std::vector<Vec2> outline{{0, 0}, {60, 0}, {60, 35}, {55, 40}, {0, 40}};
+  const std::vector<Vec2> inside{{10, 10}, {50, 10}, {50, 30}, {10, 30}};
+  for (std::size_t first = 0; first < outline.size(); ++first) {
+    for (const bool with_arcs : {false, true}) {
+      std::vector<Vec2> corners = outline;
+      std::rotate(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(first), corners.end());
+      std::vector<double> radii;
+      for (std::size_t j = 0; j < corners.size(); ++j) radii.push_back(with_arcs ? 1 + 0.25 * j : 0);
+      const auto next = offset_sides(list_of(corners, radii), 10, ReflexCorners::kMitred);
+      ASSERT_EQ(next.end, SideOffsetEnd::kContour);
+      EXPECT_EQ(next.vanished, 1);
+      const Path path = traced(next.contour);
+      ASSERT_EQ(path.size(), 4U);
+      for (const Edge& edge : path) {
+        EXPECT_TRUE(std::any_of(inside.begin(), inside.end(),
+                                [&](Vec2 corner) { return norm(edge.from - corner) < 1e-9; }))
+            << first << ": " << edge.from.x << ", " << edge.from.y;
+      }
+      EXPECT_LT(norm(closing_error(path)), 1e-9);
+    }
+  }
+}
+
 /// CPO-kappa figure 10, from the formulas alone.
 TEST(SideOffsets, TheTriangleOfTheResultFile) {
   SideList list;

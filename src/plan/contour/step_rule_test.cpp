@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "base/error.h"
 #include "base/random.h"
@@ -76,6 +77,19 @@ TEST(StepRule, TheWidestStepIsTheDiameter) {
     const auto levels = levels_of(triangle(200), rule, 5);
     EXPECT_NEAR(levels[1] - levels[0], 10, 1e-9) << rule;
   }
+}
+
+/// Halfway along the bisector of a reflex corner is as far from both contours as in a convex one: R (1 + sin(alpha / 2)), less w in the
+/// second term.
+TEST(StepRule, CorrectedStepsPastReflexCorners) {
+  RingNode ring;
+  ring.contour =
+      polygon({{0, 0}, {60, 0}, {60, 20}, {20, 20}, {20, 60}, {0, 60}});  // one corner of 270 degrees
+  const double sine = std::sin(135 * kPi / 180);
+  EXPECT_NEAR(step_past_reflex_corners(ring, parse_step_rule("lom-corrected"), 5), 5 + 5 * sine, 1e-9);
+  EXPECT_NEAR(step_past_reflex_corners(ring, parse_step_rule("rho-corrected:2"), 5), 5 + 3 * sine, 1e-9);
+  EXPECT_EQ(step_past_reflex_corners(ring, parse_step_rule("0.5,lom-corrected"), 5),
+            std::numeric_limits<double>::infinity());
 }
 
 TEST(StepRule, ValuesPerContour) {
