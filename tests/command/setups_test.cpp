@@ -188,6 +188,7 @@ TEST(Setups, ASolidIsMilledFromBothSides) {
     const std::string ending = post::file_extension_of(post);
     std::vector<std::string> arguments{"plan", kExample, "-o", folder.path(post + ending), "--post", post};
     if (post == "marlin") arguments.insert(arguments.end(), {"--accept", "tool-by-hand"});
+    if (post == "grblhal") arguments.insert(arguments.end(), {"--accept", "tool-by-hand,m6"});
     const auto result = run_clearcut(arguments);
     EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
     for (const char* number : {"-1", "-2"}) {

@@ -92,7 +92,7 @@ PlanOptions options_of(const Case& c, bool inch) {
   // Its programs cannot name their tools, and its firmware need not have inches.
   if (c.dialect == "marlin") options.accept = {"tool-by-hand", "g20"};
   // It may be told to ignore M6, and its lengths are measured after each change.
-  if (c.dialect == "grblhal") options.accept = {"m6", "tool-by-hand"};
+  if (c.dialect == "grblhal") options.accept.insert(options.accept.end(), {"m6", "tool-by-hand"});
   // awkward.step shows what is left out of a solid.
   if (is_solid(c.example)) options.accept.emplace_back("left-out");
   return options;
