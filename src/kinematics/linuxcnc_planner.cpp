@@ -114,11 +114,16 @@ Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// mm; greatest rounding of a corner; without P a quarter of the shorter segment.
+/// mm; P in force on a leg; infinite without one.
+double stated_tolerance(const Leg& leg) {
+  const double stated = leg.path.mode == PathMode::kTolerance ? leg.path.tolerance_mm.value_or(0) : 0;
+  return stated > 0 ? stated : kNoLimit;
+}
+
+/// mm; greatest rounding of a corner by a parabolic blend, for which the P of the leg before it counts; without P a quarter
+/// of the shorter segment.
 double blend_tolerance(const Leg& before, const Segment& a, const Segment& b) {
-  const double of_length = kToleranceOfLength * std::min(a.whole, b.whole);
-  const double stated = before.path.mode == PathMode::kTolerance ? before.path.tolerance_mm.value_or(0) : 0;
-  return stated > 0 ? std::min(stated, of_length) : of_length;
+  return std::min(stated_tolerance(before), kToleranceOfLength * std::min(a.whole, b.whole));
 }
 
 /// A corner of the path.
@@ -127,7 +132,7 @@ struct Corner {
   /// Radians; the turn for blend arcs: measured between chords for arcs that curve in the same direction as
   /// the corner.
   double bent = 0;
-  double tolerance = 0;  ///< mm
+  double tolerance = 0;  ///< mm, of blend arcs: the finer one of both legs
   double goal = 0;       ///< mm/s, of the slower side
 };
 
@@ -306,12 +311,13 @@ void Trajectory::join() {
   Corner corner;
   corner.turn = base::atan2(norm(cross(before.last, after.first)), cosine);
   corner.bent = corner.turn + chord_turn(before, after, corner.turn);
-  corner.tolerance = blend_tolerance(before, a, b);
+  const double of_parabola = blend_tolerance(before, a, b);
+  corner.tolerance = std::min(of_parabola, stated_tolerance(after));
   corner.goal = goal;
   Blend rounded = blend_arc({before, after, a, b}, corner, limits_);
   Segment& arc = rounded.arc;
   const double slowed = goal * kKinkShare / kink;
-  const Parabola blend = parabola(before, after, a, b, corner.tolerance);
+  const Parabola blend = parabola(before, after, a, b, of_parabola);
   const double by_arc = arc.length > 0 ? arc.top : 0;
   if (by_arc >= std::max(slowed, blend.along / 2)) {
     a.length = std::max(0.0, a.length - rounded.of_before);

@@ -185,6 +185,30 @@ TEST(Planner, MarlinByJunctionDeviationOrJerk) {
   EXPECT_LT(seconds(moves, kExact, MotionPlanner::kMarlin, machine), deviated);
 }
 
+TEST(Planner, LinuxCncRoundsACornerByTheFinerToleranceUnlessItsParabolaIsFaster) {
+  // 200 lines of 5 mm at right angles, measured on LinuxCNC 2.9 from rest: 40.958 s under one G64 P0.005 and 53.287 s where
+  // P0.05 and P0.005 take turns. Blend arcs keep to the finer one, so that every second corner is a parabola, beside
+  // which both lines have half of the acceleration.
+  std::vector<Move> moves;
+  Vec2 at;
+  for (int i = 0; i < 200; ++i) {
+    const Vec2 to = i % 2 == 0 ? at + Vec2{5, 0} : at + Vec2{0, i % 4 == 1 ? 5.0 : -5.0};
+    moves.push_back(cut(at, to, 3000));
+    at = to;
+  }
+  Machine machine;
+  machine.axis_rapid = AxisValues{5000, 5000, 5000};
+  const auto time = [&](double odd, double even) {
+    std::vector<PlannedMove> planned;
+    for (std::size_t i = 0; i < moves.size(); ++i)
+      planned.push_back({&moves[i], within(i % 2 == 0 ? odd : even), i == 0});
+    double sum = 0;
+    for (const Seconds one : planned_times(planned, machine, MotionPlanner::kLinuxCnc)) sum += one.seconds();
+    return sum;
+  };
+  EXPECT_NEAR(time(0.05, 0.005) - time(0.005, 0.005), 53.936 - 41.607, 0.5);
+}
+
 TEST(Planner, StandstillBeforeAMoveIsKept) {
   const std::vector<Move> moves{cut({0, 0}, {50, 0}, 3000), cut({50, 0}, {100, 0}, 3000)};
   std::vector<PlannedMove> planned{{&moves[0], kExact, true}, {&moves[1], kExact, true}};
