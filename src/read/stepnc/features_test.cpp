@@ -16,6 +16,49 @@ using ::testing::HasSubstr;
 using testing::Program;
 using testing::step;
 
+/// A region of 20 x 10 mm about 50, 40 on the block, 4 mm deep; its curve is drawn 7 mm over the block.
+Program region(const std::string& depth = "#70") {
+  return Program()
+      .feature("REGION_PROJECTION('REGION',#3,(#30),#21,#64,#66," + depth + ")")
+      .with(22, "CARTESIAN_POINT('',(50.,40.,7.))")
+      .with(64, "POLYLINE('',(#65,#67,#68,#69,#65))")
+      .with(65, "CARTESIAN_POINT('',(-10.,-5.,0.))")
+      .with(66, "DIRECTION('',(0.,0.,-1.))")
+      .with(67, "CARTESIAN_POINT('',(10.,-5.,0.))")
+      .with(68, "CARTESIAN_POINT('',(10.,5.,0.))")
+      .with(69, "CARTESIAN_POINT('',(-10.,5.,0.))")
+      .with(70, "TOLERANCED_LENGTH_MEASURE(4.,$)");
+}
+
+TEST(StepNcRegion, LiesAsDeepAsItSaysBelowTheRawPiecesTop) {
+  const Part part = region().read();
+  ASSERT_EQ(part.features.size(), 1U);
+  EXPECT_EQ(part.features[0].top_z, 0);
+  EXPECT_EQ(part.features[0].floor_z, -4);
+  EXPECT_NEAR(area(part.features[0].target), 200, 1e-9);
+  EXPECT_NEAR(area(part.features[0].allowed), 200, 1e-9) << "walls all round";
+  EXPECT_THAT(all_diagnostics(part), Not(HasSubstr("proj_")));
+}
+
+TEST(StepNcRegion, IsOpenWhereItsCurveLeavesTheStock) {
+  const Part part = region().with(22, "CARTESIAN_POINT('',(0.,40.,0.))").read();
+  EXPECT_NEAR(area(part.features[0].target), 100, 1e-9);
+  EXPECT_GT(area(part.features[0].allowed), 1e5) << "and the air beside the block";
+}
+
+TEST(StepNcRegion, IsMilledByFreeFormMillingAndNothingElseIs) {
+  const char* const freeform = "FREEFORM_OPERATION($,$,'OP',8.,$,#31,#34,#35,$,#36,$,$)";
+  EXPECT_EQ(region().with(30, freeform).read().features[0].floor_z, -4);
+  EXPECT_THAT(Program().with(30, freeform).error(), HasSubstr("that of a level REGION_PROJECTION alone"));
+}
+
+TEST(StepNcRegion, WhatIsNotLevelIsRefusedByName) {
+  EXPECT_THAT(region().with(66, "DIRECTION('',(1.,0.,-1.))").error(), HasSubstr("projected at a slant"));
+  EXPECT_THAT(region("$").error(), HasSubstr("depth"));
+  EXPECT_THAT(region().with(70, "TOLERANCED_LENGTH_MEASURE(0.,$)").error(), HasSubstr("above zero"));
+  EXPECT_THAT(region().with(3, "WORKPIECE('WP',$,$,$,$,$,())").error(), HasSubstr("as its raw piece"));
+}
+
 TEST(StepNc, FaceWithoutBoundaryIsTheWholeStockAndOpenAllRound) {
   Program p;
   p.feature("PLANAR_FACE('FACE',#3,(#30),#21,#23,$,$,$,(#70))");
@@ -165,7 +208,7 @@ TEST(StepNc, SlotsWithoutAFlatFloorAreRefusedByName) {
               HasSubstr("VEE_PROFILE: its sides do not lean alike"));
   EXPECT_THAT(slot("TEE_PROFILE($,0.,0.,#74,#74,$,#74,$,$)", "(#75,#75)").error(), HasSubstr("TEE_PROFILE"));
   EXPECT_THAT(slot("SQUARE_U_PROFILE($,#74,$,$,$,$)", "(#75,#77)").error(),
-              HasSubstr("WOODRUFF_SLOT_END_TYPE: this end of a slot is round from the side"));
+              HasSubstr("WOODRUFF_SLOT_END_TYPE: this end of a slot rises in an arc"));
 }
 
 TEST(StepNc, StepTakesTheSideAwayFromTheMaterial) {

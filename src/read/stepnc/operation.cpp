@@ -74,6 +74,7 @@ constexpr OperationEntity kOperations[] = {
     {"BOTTOM_AND_SIDE_MILLING", OperationKind::kRoughing},
     {"BOTTOM_AND_SIDE_ROUGH_MILLING", OperationKind::kRoughing},
     {"BOTTOM_AND_SIDE_FINISH_MILLING", OperationKind::kFinishing},
+    {"FREEFORM_OPERATION", OperationKind::kRoughing},
     {"DRILLING", OperationKind::kDrilling},
     {"MULTISTEP_DRILLING", OperationKind::kDrilling},
     {"CENTER_DRILLING", OperationKind::kDrilling, HoleKind::kSpotted},

@@ -47,6 +47,7 @@ class Reader {
   void draft_features();
   void draft_members(const Node& feature, const std::vector<Member>& members);
   std::size_t draft_index(const Member& member);
+  Draft laid_on_blank(Draft draft) const;
   void choose_depth_reading();
   void derive_stock();
   void check_clearance();

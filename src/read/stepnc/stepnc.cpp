@@ -105,6 +105,16 @@ void Reader::draft_members(const Node& feature, const std::vector<Member>& membe
   drafts_of_[feature.id()] = std::move(drafts);
 }
 
+/// Regions lie on the raw piece's top.
+Draft Reader::laid_on_blank(Draft draft) const {
+  if (!draft.below_blank) return draft;
+  if (!part_.stock)
+    draft.node.fail(
+        "its depth is below the raw piece's surface; give the WORKPIECE a BLOCK as its raw piece");
+  draft.placement_z = part_.stock->z_top;
+  return draft;
+}
+
 /// The same feature in the same place, alone and as the element of a compound, is one.
 std::size_t Reader::draft_index(const Member& member) {
   const auto same = drafts_by_entity_.equal_range(member.feature.id());
@@ -112,12 +122,13 @@ std::size_t Reader::draft_index(const Member& member) {
     const Frame& there = drafts_[it->second].placement;
     if (there.origin == member.placement.origin && there.x == member.placement.x) return it->second;
   }
-  drafts_.push_back(draft_feature(member, context_));
+  drafts_.push_back(laid_on_blank(draft_feature(member, context_)));
   drafts_by_entity_.emplace(member.feature.id(), drafts_.size() - 1);
   return drafts_.size() - 1;
 }
 
 double Reader::floor_of(const Draft& draft) const {
+  if (draft.below_blank) return draft.placement_z - *draft.below_blank;
   return (absolute_depths_ ? 0.0 : draft.placement_z) + draft.depth_z + draft.raised_floor;
 }
 
@@ -129,6 +140,7 @@ void Reader::choose_depth_reading() {
   std::vector<const Draft*> below;
   bool absolute_fits = true;
   for (const Draft& draft : drafts_) {
+    if (draft.below_blank) continue;
     if (!draft.through && draft.placement_z + draft.depth_z < stock.z_bottom - kLevel)
       below.push_back(&draft);
     absolute_fits = absolute_fits && draft.depth_z < stock.z_top && draft.depth_z > stock.z_bottom - kLevel &&
@@ -492,7 +504,10 @@ void Reader::make_workingstep(const Node& step, const Tools& tools) {
   }
   std::vector<std::size_t> of;
   for (const std::size_t i : chosen) of.push_back(drafts[i]);
-  for (const std::size_t draft : of) check_part(draft, step, stated);
+  for (const std::size_t draft : of) {
+    check_part(draft, step, stated);
+    if (!drafts_[draft].below_blank) refuse_listed(node);  // free-form milling is that of level regions
+  }
   use_overcut(node, of);
   std::optional<StatedPath> path = stated_path(feature, node, operation, of);
   for (const std::size_t draft : of) {

@@ -70,6 +70,7 @@ constexpr ListedEntity kListed[] = {
     {"CATALOGUE_THREAD"},
     {"DEFINED_THREAD"},
     {"CHAMFER"},
+    {"REGION_PROJECTION"},
     {"EDGE_ROUND", kRefused,
      "an edge is rounded with a form cutter along it, which is not planned; round it by hand, add the pass, "
      "or write it as a CHAMFER"},
@@ -79,10 +80,6 @@ constexpr ListedEntity kListed[] = {
     {"SPHERICAL_CAP", kRefused, "a ball is no 2.5-D feature; it needs free-form milling"},
     {"TOOLPATH_FEATURE", kRefused,
      "it is only a path; write what is to be removed as a pocket, face, slot or step"},
-    {"REGION_PROJECTION", kRefused,
-     "it says no height of its floor, which is that of the workpiece's surface under its curve; where that "
-     "is "
-     "level, write it as a pocket or face"},
     {"REGION_SURFACE_LIST", kRefused, kFreeForm},
     {"TOPOLOGICAL_REGION", kRefused, kFreeForm},
     {"GENERAL_FREEFORM", kRefused, kFreeForm},
@@ -101,8 +98,9 @@ constexpr ListedEntity kListed[] = {
     {"FLAT_SLOT_END_TYPE"},
     {"LOOP_SLOT_END_TYPE"},
     {"WOODRUFF_SLOT_END_TYPE", kRefused,
-     "this end of a slot is round from the side, and a disc on a level axis makes it; write the end as open, "
-     "round or flat"},
+     "this end of a slot rises in an arc about a level axis, and only a disc on that axis makes it; write "
+     "the "
+     "end as open, round or flat"},
     {"GENERAL_POCKET_BOTTOM_CONDITION", kRefused,
      "the pocket's bottom is a free-form surface and cannot be machined yet; write what lies above it as a "
      "flat "
@@ -154,7 +152,7 @@ constexpr ListedEntity kListed[] = {
      "one tool that drills and cuts the thread is not planned; give DRILLING and TAPPING"},
     {"BACK_BORING", kRefused, "boring from below is not planned; bore it afterwards"},
     {"FREEFORM_OPERATION", kRefused,
-     "free-form milling cannot be machined yet; mill flat parts as pockets or faces"},
+     "free-form milling is that of a level REGION_PROJECTION alone; mill flat parts as pockets or faces"},
     {"FREEFORM_MILLING", kRefused,
      "free-form milling cannot be machined yet; mill flat parts as pockets or faces"},
     // How they cut.

@@ -217,6 +217,18 @@ void read_planar_face(const Node& feature, const Frame& frame, Draft& draft, Con
   read_bosses(feature, 8, frame, draft, context);
 }
 
+/// What a closed curve outlines on the raw piece, as deep everywhere. The curve's own height does not count.
+void read_region(const Node& feature, const Frame& frame, Draft& draft, Context& context) {
+  draft.kind = FeatureKind::kPlanarFace;
+  const Node direction = feature.needed_ref(5, "direction of projection");
+  const Vec3 along = frame.direction(axis_of(direction));
+  if (base::hypot(along.x, along.y) > kSameAngleRad * std::abs(along.z))
+    direction.fail("the curve is projected at a slant; only regions seen from above (+Z) can be machined");
+  draft.below_blank = feature.needed_length(6, "depth");
+  if (*draft.below_blank <= 0) feature.fail("its depth is not above zero; correct it");
+  draft.boundary = planar_map(frame).path(curve_loop(feature.needed_ref(4, "projected curve"), context));
+}
+
 SlotEnd slot_end(const Node& end) {
   if (end.is("OPEN_SLOT_END_TYPE")) return SlotEnd::kOpen;
   if (end.is("RADIUSED_SLOT_END_TYPE")) return SlotEnd::kRound;
@@ -473,6 +485,7 @@ void read_kind(const Node& feature, const Frame& frame, Draft& draft, Context& c
   if (feature.is("CLOSED_POCKET")) return read_closed_pocket(feature, frame, draft, context);
   if (feature.is("OPEN_POCKET")) return read_open_pocket(feature, frame, draft, context);
   if (feature.is("PLANAR_FACE")) return read_planar_face(feature, frame, draft, context);
+  if (feature.is("REGION_PROJECTION")) return read_region(feature, frame, draft, context);
   if (feature.is("SLOT")) return read_slot(feature, frame, draft, context);
   if (feature.is("STEP")) return read_step(feature, frame, draft, context);
   if (feature.is("ROUND_HOLE")) return read_round_hole(feature, frame, draft, context);
@@ -496,7 +509,8 @@ Draft draft_feature(const Member& member, Context& context) {
   draft.placement = member.placement;
   draft.placement_z = member.placement.origin.z;
   const bool has_length = feature.is_any("CATALOGUE_THREAD", "DEFINED_THREAD") && feature.sound_ref(5);
-  const bool has_no_depth = (has_length && feature.unset(4)) || feature.is("CHAMFER");
+  const bool has_no_depth =
+      (has_length && feature.unset(4)) || feature.is_any("CHAMFER", "REGION_PROJECTION");
   draft.depth_z = has_no_depth ? 0 : depth_of(feature);
   read_kind(feature, member.placement, draft, context);
   return draft;

@@ -54,7 +54,9 @@ struct Draft {
   FeatureKind kind = FeatureKind::kClosedPocket;
 
   double placement_z = 0;
-  double depth_z = 0;       ///< of the depth plane, in the feature's frame, as written
+  double depth_z = 0;  ///< of the depth plane, in the feature's frame, as written
+  std::optional<double>
+      below_blank;          ///< mm; of regions, whose floor lies that deep below the raw piece's top
   bool through = false;     ///< the bottom condition says so
   double raised_floor = 0;  ///< mm of the depth that are not prismatic, and stay
   Radians wall_slope;

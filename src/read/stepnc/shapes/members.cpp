@@ -325,7 +325,7 @@ bool is_simple_feature(const Node& node) {
                      "GENERAL_OUTSIDE_PROFILE", "CIRCULAR_CLOSED_SHAPE_PROFILE",
                      "RECTANGULAR_CLOSED_SHAPE_PROFILE", "GENERAL_SHAPE_PROFILE",
                      "PARTIAL_CIRCULAR_SHAPE_PROFILE", "RECTANGULAR_OPEN_SHAPE_PROFILE", "CATALOGUE_THREAD",
-                     "DEFINED_THREAD", "CHAMFER");
+                     "DEFINED_THREAD", "CHAMFER", "REGION_PROJECTION");
 }
 
 Members::Members(Context& context, const Frame& turn) : context_(&context), turn_(turn) {
