@@ -11,6 +11,7 @@
 #include "post/post.h"
 #include "read/step_solid/solid_model.h"
 #include "support/command.h"
+#include "support/controllers.h"
 #include "support/golden.h"
 #include "support/programs.h"
 
@@ -187,8 +188,8 @@ TEST(Setups, ASolidIsMilledFromBothSides) {
     SCOPED_TRACE(post);
     const std::string ending = post::file_extension_of(post);
     std::vector<std::string> arguments{"plan", kExample, "-o", folder.path(post + ending), "--post", post};
-    if (post == "marlin") arguments.insert(arguments.end(), {"--accept", "tool-by-hand"});
-    if (post == "grblhal") arguments.insert(arguments.end(), {"--accept", "tool-by-hand,m6"});
+    for (const std::string& name : test_support::controller_named(post).of_tools)
+      arguments.insert(arguments.end(), {"--accept", name});
     const auto result = run_clearcut(arguments);
     EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
     for (const char* number : {"-1", "-2"}) {

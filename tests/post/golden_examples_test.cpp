@@ -21,6 +21,7 @@
 #include "read/job/read_part.h"
 #include "read/outline/read_elements.h"
 #include "read/step_solid/solid_model.h"
+#include "support/controllers.h"
 #include "support/golden.h"
 #include "support/independent/grbl.h"
 #include "support/independent/rs274.h"
@@ -89,10 +90,10 @@ PlanOptions options_of(const Case& c, bool inch) {
   options.stepdown = c.example.stepdown;
   options.post.dialect = c.dialect;
   options.post.inch = inch;
-  // Its programs cannot name their tools, and its firmware need not have inches.
-  if (c.dialect == "marlin") options.accept = {"tool-by-hand", "g20"};
-  // It may be told to ignore M6, and its lengths are measured after each change.
-  if (c.dialect == "grblhal") options.accept.insert(options.accept.end(), {"m6", "tool-by-hand"});
+  for (const std::string& name : test_support::controller_named(c.dialect).of_tools)
+    options.accept.push_back(name);
+  // Its firmware need not have inches.
+  if (c.dialect == "marlin") options.accept.emplace_back("g20");
   // awkward.step shows what is left out of a solid.
   if (is_solid(c.example)) options.accept.emplace_back("left-out");
   return options;

@@ -1,5 +1,7 @@
 #include "support/controllers.h"
 
+#include <stdexcept>
+
 namespace clearcut::test_support {
 
 namespace {
@@ -64,7 +66,8 @@ std::span<const Controller> controllers() {
        .line_length = 96,
        .never = {"M6", "M30", "G28", "G43", "G54", "G21", "T", "(", "%"},
        .mist_condition = "m7",
-       .work_offsets_said = "its programs have no work offsets; leave it out"},
+       .work_offsets_said = "its programs have no work offsets; leave it out",
+       .of_tools = {"tool-by-hand"}},
       {.name = "siemens",
        .never = {"%", "(", "G2 R", "G43", "G49", "G80", "G61", "G28", "G21", "G20", "H"},
        .mist_condition = "m7",
@@ -104,9 +107,16 @@ std::span<const Controller> controllers() {
        .work_offsets_said = "it has G54 to G59, G59.1 to G59.3",
        .home = kStoredHome,
        .home_condition = "g28-home",
+       .of_tools = {"m6", "tool-by-hand"},
        .pecks = "G83"},
   };
   return rows;
+}
+
+const Controller& controller_named(std::string_view name) {
+  for (const Controller& one : controllers())
+    if (one.name == name) return one;
+  throw std::invalid_argument("no such controller: " + std::string(name));
 }
 
 std::span<const std::string_view> all_work_offsets() {

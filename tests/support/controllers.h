@@ -19,11 +19,15 @@ struct Controller {
   std::string_view work_offsets_said = {};          ///< behind "has no ...: ", for the others
   std::string_view home = {};                       ///< blocks of the end position "home"; empty: it has none
   std::string_view home_condition = {};             ///< empty: home is a place of the machine
-  std::string_view pecks = {};                      ///< word of its pecking cycle; empty: its holes are moves
+  /// Open conditions of a program of ours with several tools, beside those of the part.
+  std::vector<std::string> of_tools = {};
+  std::string_view pecks = {};  ///< word of its pecking cycle; empty: its holes are moves
 };
 
 /// In the order of kControllers; a test holds both equal.
 std::span<const Controller> controllers();
+/// Of this name, which there has to be.
+const Controller& controller_named(std::string_view name);
 /// One or two of each kind that some control has, in words of programs.
 std::span<const std::string_view> all_work_offsets();
 
