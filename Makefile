@@ -5,7 +5,7 @@ OUT := out
 configure = cmake --preset release $(1) -DCLEARCUT_PRECOMPILED_HEADERS=ON $(CMAKE_ARGS) > build-configure.log 2>&1 || (cat build-configure.log; exit 1); \
             rm -f build-configure.log
 
-.PHONY: all setup build prove demo test web web-checker verify-module test-verify-module test-web windows test-windows python dist packages reproduce-packages docs pictures format lint-viewer test-browser test-freecad clean
+.PHONY: all setup build prove demo test campaign web web-checker verify-module test-verify-module test-web windows test-windows python dist packages reproduce-packages docs pictures format lint-viewer test-browser test-freecad clean
 all: build
 
 setup:
@@ -25,6 +25,12 @@ demo:
 
 test: build
 	@ctest --preset release
+
+# Random parts with all kinds of cutters and mutants of their programs, judged by the product and by a field of heights. Goes on where it
+# ended; CAMPAIGN states seeds, numbers and time: make campaign CAMPAIGN="--first 1 --parts 2000 --mutants 3 --seconds 3600".
+CAMPAIGN :=
+campaign: build
+	@python3 tests/campaign/campaign.py $(BUILD)/apps/cli/clearcut $(BUILD)/tests/campaign_judge $(OUT)/campaign $(CAMPAIGN)
 
 # The page without a server: build/web/site, which any static host serves; planning runs in the browser as WebAssembly.
 web:

@@ -79,6 +79,34 @@ bool is_free_above(const Part& part, const Feature& feature, const plan::RoundOn
   return stands.empty();
 }
 
+/// Number of steps on the feature of a step, and whether all of them have its tool.
+struct StepsOnFeature {
+  int count = 0;
+  bool same_tool = true;
+};
+
+StepsOnFeature steps_on_feature(const Part& part, const Workingstep& step) {
+  StepsOnFeature steps;
+  for (const Workingstep& other : part.workplan) {
+    if (other.feature != step.feature) continue;
+    ++steps.count;
+    steps.same_tool = steps.same_tool && other.operation.tool == step.operation.tool;
+  }
+  return steps;
+}
+
+/// Whether a rounded end comes as near to the leaning walls of the step's feature as it may. Upright walls of what stands above it has to
+/// keep off by its whole radius. Beside the layers of another step its own layers stand at the heights of a cutter with a flat end, which
+/// that step expects; where these heights would leave too much, steps of one tool touch the walls alike.
+bool touches_walls(const Part& part, const Workingstep& step, const plan::RoundOnWall& touch, bool meets_none,
+                   const Tolerances& tol) {
+  const StepsOnFeature steps = steps_on_feature(part, step);
+  const bool begins_at_top = feature_of(part, step).top_z >= part.top_z();
+  if (steps.count == 1 && begins_at_top && meets_none) return true;
+  return (steps.count == 1 || steps.same_tool) && has_to_touch(touch, step.operation) &&
+         is_free_above(part, feature_of(part, step), touch, tol);
+}
+
 /// mm by which the cutter of a step may be off its path or its size: by the machine's error that the plan has to hold for, or by the
 /// wear that the control is told for passes along the walls alone, while the cutter of all other passes of the feature is as worn.
 double off_path(int index, const ResolvedPlan& plan) {
@@ -127,15 +155,8 @@ std::vector<Layer> standing_layers(int index, const ResolvedPlan& plan, double r
   const features::Standing standing(part, index, plan.tol, [&plan](int earlier) {
     return !plan.steps[static_cast<std::size_t>(earlier)].published_grid;
   });
-  // Upright walls of what stands above it has to keep off by its whole radius.
-  // Beside the layers of another step its own layers stand at the heights of a cutter with a flat end, which that step expects.
-  const auto steps = std::count_if(part.workplan.begin(), part.workplan.end(),
-                                   [&](const Workingstep& other) { return other.feature == step.feature; });
   const plan::RoundOnWall touch{outer_profile(tool).round, feature.wall_slope.radians()};
-  const bool begins_at_top = feature.top_z >= part.top_z();
-  const bool touches =
-      steps == 1 && ((begins_at_top && met.empty()) ||
-                     (has_to_touch(touch, operation) && is_free_above(part, feature, touch, plan.tol)));
+  const bool touches = touches_walls(part, step, touch, met.empty(), plan.tol);
   const plan::RoundedEnd end{touch.round, touches};
   if (touches) met.touch_walls(touch);
   auto layers = plan::layers_of(feature, operation, tool.radius() - narrower, plan.tol, end,

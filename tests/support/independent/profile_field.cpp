@@ -7,9 +7,26 @@
 namespace clearcut::test_support {
 namespace {
 
+constexpr double kEndless = std::numeric_limits<double>::infinity();
 constexpr double kDegree = 0.017453292519943295;
 /// Steps along a way, of a cell.
 constexpr double kStep = 0.8;
+
+using Gap = ProfileField::Gap;
+
+/// Adds a range to ranges that lie apart.
+void add_gap(std::vector<Gap>& gaps, Gap gap) {
+  std::vector<Gap> apart;
+  for (const Gap& other : gaps) {
+    if (other.high < gap.low || other.low > gap.high) {
+      apart.push_back(other);
+    } else {
+      gap = {std::min(gap.low, other.low), std::max(gap.high, other.high)};
+    }
+  }
+  apart.push_back(gap);
+  gaps = std::move(apart);
+}
 
 }  // namespace
 
@@ -19,7 +36,7 @@ double TurnedBody::steepness() const {
 
 double TurnedBody::surface(double distance, double steep) const {
   const double radius = diameter / 2;
-  if (distance > radius) return std::numeric_limits<double>::infinity();
+  if (distance > radius) return kEndless;
   switch (end) {
     case End::kFlat:
     case End::kDisc:
@@ -74,24 +91,46 @@ void ProfileField::along(const TurnedBody& body, const BodyWay& way, Visit visit
 
 void ProfileField::cut(const TurnedBody& body, const BodyWay& way) {
   std::vector<Cell>& cells = cells_;
-  const double steep = body.steepness();
+  const double steep = body.steepness(), radius = body.diameter / 2;
+  const bool is_disc = body.end == TurnedBody::End::kDisc;
   along(body, way, [&](std::size_t i, double apart, double z, double aside, double dz) {
     Cell& cell = cells[i];
     const double least = std::max(0.0, apart - half_ - aside);
+    if (is_disc) {
+      const double top = least < body.neck / 2 ? kEndless : z + dz + body.height;
+      if (least < radius) add_gap(perhaps_undercut_[i], {z - dz, top});
+      if (apart + half_ <= radius) add_gap(undercut_[i], {z, z + body.height});
+      return;
+    }
     cell.certain = std::min(cell.certain, z - dz + body.surface(least, steep));
-    if (body.removes && body.end != TurnedBody::End::kDisc)
-      cell.possible = std::min(cell.possible, z + body.surface(apart + half_, steep));
+    if (body.removes) cell.possible = std::min(cell.possible, z + body.surface(apart + half_, steep));
   });
+}
+
+double ProfileField::standing(std::size_t cell, double low, double high) const {
+  high = std::min(high, cells_[cell].certain);
+  double sum = high - low;
+  const auto gaps = perhaps_undercut_.find(cell);
+  if (gaps == perhaps_undercut_.end() || sum <= 0) return sum;
+  for (const Gap& gap : gaps->second) sum -= std::max(0.0, std::min(high, gap.high) - std::max(low, gap.low));
+  return sum;
 }
 
 ProfileField::Hit ProfileField::hit(const TurnedBody& body, const BodyWay& way) const {
   Hit hit;
-  const double steep = body.steepness();
+  const double steep = body.steepness(), radius = body.diameter / 2;
+  const bool is_disc = body.end == TurnedBody::End::kDisc;
   along(body, way, [&](std::size_t i, double apart, double z, double aside, double dz) {
     const Cell& cell = cells_[i];
-    hit.certain = std::max(hit.certain, cell.certain - (z + body.surface(apart + half_, steep)));
-    hit.possible = std::max(
-        hit.possible, cell.possible - (z - dz + body.surface(std::max(0.0, apart - half_ - aside), steep)));
+    const double least = std::max(0.0, apart - half_ - aside);
+    if (!is_disc) {
+      const double surface = z + body.surface(apart + half_, steep);
+      if (cell.certain > surface) hit.certain = std::max(hit.certain, standing(i, surface, kEndless));
+    } else if (apart + half_ <= radius) {
+      const double top = apart + half_ <= body.neck / 2 ? kEndless : z + body.height;
+      hit.certain = std::max(hit.certain, standing(i, z, top));
+    }
+    hit.possible = std::max(hit.possible, cell.possible - (z - dz + body.surface(least, steep)));
   });
   return hit;
 }
@@ -108,6 +147,15 @@ double ProfileField::certain_at(double x, double y) const {
 
 double ProfileField::possible_at(double x, double y) const {
   return cells_[index_of(x, y)].possible;
+}
+
+double ProfileField::standing_at(double x, double y, double low, double high) const {
+  return std::max(0.0, standing(index_of(x, y), low, high));
+}
+
+std::vector<Gap> ProfileField::undercut_at(double x, double y) const {
+  const auto found = undercut_.find(index_of(x, y));
+  return found == undercut_.end() ? std::vector<Gap>{} : found->second;
 }
 
 }  // namespace clearcut::test_support

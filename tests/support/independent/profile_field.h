@@ -2,6 +2,7 @@
 // product, and says of everything both what is certain and what is possible within its cells.
 #pragma once
 
+#include <map>
 #include <vector>
 
 namespace clearcut::test_support {
@@ -13,7 +14,9 @@ struct TurnedBody {
   double round = 0;     ///< kRounded: radius at the corner; half the diameter: a ball
   double angle = 0;     ///< kCone: between opposite flanks
   double tip = 0;       ///< kCone: diameter of the flat at its tip
-  bool removes = true;  ///< kDisc and tools that cut threads leave material within
+  bool removes = true;  ///< tools that cut threads leave material within
+  double height = 0;    ///< kDisc: of the disc
+  double neck = 0;      ///< kDisc: diameter of what carries it
 
   /// Of a cone: mm up for each mm outwards.
   double steepness() const;
@@ -44,6 +47,16 @@ class ProfileField {
   double possible_at(double x, double y) const;
   double cell() const { return cell_; }
 
+  /// mm of what stands for certain all over the cell at a place between two heights.
+  double standing_at(double x, double y, double low, double high) const;
+
+  /// A range of heights.
+  struct Gap {
+    double low = 0, high = 0;
+  };
+  /// What discs have certainly undercut in the cell at a place.
+  std::vector<Gap> undercut_at(double x, double y) const;
+
  private:
   struct Cell {
     double certain = 0, possible = 0;
@@ -51,10 +64,12 @@ class ProfileField {
   template <typename Visit>
   void along(const TurnedBody& body, const BodyWay& way, Visit visit) const;
   std::size_t index_of(double x, double y) const;
+  double standing(std::size_t cell, double low, double high) const;
 
   double x0_, y0_, cell_, half_;  ///< half_: of a cell's diagonal
   int columns_, rows_;
   std::vector<Cell> cells_;
+  std::map<std::size_t, std::vector<Gap>> perhaps_undercut_, undercut_;  ///< by cell; gaps lie apart
 };
 
 }  // namespace clearcut::test_support
