@@ -34,8 +34,9 @@ class ThreadPath {
       const double turns = std::ceil((thread_.z_top - low) / thread_.pitch - 1e-9);
       add_helix(rises_ ? low : low + turns * thread_.pitch, static_cast<int>(turns));
     } else {
-      const int sets =
-          std::max(1, static_cast<int>(std::ceil((thread_.z_top - thread_.full_z) / thread_.rows - 1e-9)));
+      // The lowest row begins a pitch below the thread, and the highest one ends up to a pitch less high than there are rows.
+      const double height = thread_.z_top - thread_.full_z + thread_.pitch;
+      const int sets = std::max(1, static_cast<int>(std::ceil(height / thread_.rows - 1e-9)));
       for (int i = 0; i < sets; ++i)
         add_helix(thread_.full_z + i * thread_.rows - (rises_ ? thread_.pitch : 0), 1);
     }

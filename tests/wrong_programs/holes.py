@@ -132,6 +132,7 @@ def holes():
     c.add("thread-narrow", CYCLES, thread(radius=3.9), "FAULTY", "uncut", "stays 0.1 mm short of the diameter", **milled)
     c.add("thread-wide", CYCLES, thread(radius=4.05), "FAULTY", "gouge", "goes 0.05 mm beyond the diameter", **milled)
     c.add("thread-lead", CYCLES, thread(lead=0), "FAULTY", "thread", "comes in level, across the thread", **milled)
+    c.add("thread-low", CYCLES, thread(turns=6), "FAULTY", "uncut", "ends the thread half a millimetre below the top", **milled)
     c.add("thread-shallow", CYCLES, thread(low=-6.5, turns=5), "FAULTY", "uncut", "ends the thread early", **milled)
     for stops in (0, 1, 4):
         c.add(f"thread-stopped-{stops}", CYCLES, thread(stops=stops), "FAULTY", "spindle-off", "stops the spindle within the thread", **milled)

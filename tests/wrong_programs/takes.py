@@ -276,14 +276,16 @@ def takes():
           part="seat.dxf", tools=["drill:6.6:T2", "counterbore:11:T1"])
 
     def rows(out):
-        """One turn of a mill with six rows of teeth; without its way out it goes straight up."""
+        """One turn of a mill with seven rows of teeth; without its way out it goes straight up."""
         def change(p):
             thread(turns=1)(p)
             if not out:
                 del p.after[max(k for k, block in enumerate(p.after) if block.startswith("G3"))]
         return change
-    threaded = {"part": "threaded.dxf", "tools": ["drill:18.5:T1", "threadmill:12:pitch=1.5:length=9:T2"]}
+    threaded = {"part": "threaded.dxf", "tools": ["drill:18.5:T1", "threadmill:12:pitch=1.5:length=10.5:T2"]}
     c.right("right-thread-out", CYCLES, rows(True), "leaves the thread along its helix", **threaded)
+    c.add("thread-ends-below", CYCLES, rows(True), "FAULTY", "uncut", "ends the thread half a millimetre below the top",
+          part="threaded.dxf", tools=["drill:18.5:T1", "threadmill:12:pitch=1.5:length=9:T2"])
     c.add("thread-out", CYCLES, rows(False), "FAULTY", "thread", "goes up at the rapid through all turns of the thread", **threaded)
     return c.done()
 

@@ -180,7 +180,8 @@ class ThreadCheck {
           ThreadDefect::Kind::kShallow, lowest - hole_.full_z, 0,
           "is full down to z " + trimmed(lowest, 3) + " only, and shall be to z " + trimmed(hole_.full_z, 3));
     }
-    if (low < top_ - pitch_ - kThreadHeightSlack)
+    // Where the last groove ends below the top, nothing can be screwed in there.
+    if (low < top_ - kThreadHeightSlack)
       add(ThreadDefect::Kind::kShallow, top_ - low, 0, "is not cut above z " + trimmed(low, 3));
   }
 

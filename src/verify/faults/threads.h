@@ -27,8 +27,8 @@ struct ThreadDefect {
 ///         plus any number of pitches; for a left-hand thread a counts in the opposite sense. Wherever the mill
 ///         reaches farther from the axis than the minor radius, it must be on this helix: on the turns this proves
 ///         radius, pitch and hand; on the moves in and out it proves that they do not cut through the thread.
-/// Depth   Turns at the full radius must follow each other from full_z to the top; multiple rows of teeth count with
-///         their length.
+/// Depth   Turns at the full radius must follow each other from full_z to the top; of multiple rows of teeth
+///         the lowest and the highest count.
 std::vector<ThreadDefect> defects_of_thread(const Feature& feature,
                                             const std::vector<const CheckedMove*>& moves);
 
