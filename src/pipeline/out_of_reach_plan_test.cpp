@@ -326,5 +326,33 @@ TEST(OutOfReach, IsWhatSharperCornersLeaveOfAFilletUnderLeaningWalls) {
   }
 }
 
+/// As under upright walls: the flat end clears walls and floor off the fillet, and the ball makes the fillet.
+TEST(OutOfReach, IsLittleOfAFilletUnderLeaningWallsThatAFlatEndAndABallMake) {
+  for (const double draft : {5.0, 20.0}) {
+    Part part = drawn(box("POCKET_D4", 0, 0, 26, 22));
+    part.features.front().floor_fillet = 2;
+    part.features.front().wall_slope = Radians::of_degrees(draft);
+    const PlanResult both = plan_part(part, with({"endmill:5", "ball:4"}));
+    ASSERT_EQ(both.part.workplan.size(), 2u) << draft;
+    EXPECT_EQ(verdict_of(both.findings), Verdict::kClean) << draft << verdict_and_reasons(both.findings);
+  }
+}
+
+/// Steps of one rounded end beside each other touch leaning walls alike: the heights of a flat end would leave too much.
+TEST(OutOfReach, IsNothingOfLeaningWallsThatARoundedEndFinishes) {
+  for (const char* tool : {"ball:5", "bullnose:6:corner=2"}) {
+    for (const char* finish : {"walls", "floor", "all"}) {
+      Part part = drawn(box("POCKET_D5", 0, 0, 26, 22));
+      part.features.front().wall_slope = Radians::of_degrees(20);
+      auto options = with({tool});
+      options.shop.finish = finish;
+      options.accept = {"out-of-reach"};
+      const PlanResult result = plan_part(part, options);
+      EXPECT_EQ(verdict_of(result.findings), Verdict::kClean)
+          << tool << " " << finish << ": " << verdict_and_reasons(result.findings);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace clearcut::pipeline

@@ -301,7 +301,6 @@ void rough_before_fillets(Part& part, const PlanOptions& options, StepSources& s
   for (const Workingstep& step : part.workplan) {
     const Feature& feature = feature_of(part, step);
     const bool is_filleted = feature.floor_fillet > 0 && step.operation.is_tool_chosen && !feature.profile &&
-                             feature.wall_slope.radians() == 0 &&
                              features::makes_fillet(tool_of(part, step), feature);
     const int mill = is_filleted ? roughing_mill(part, feature, tool_of(part, step), options.tol) : -1;
     if (mill < 0) {

@@ -454,7 +454,8 @@ def leaning_part(r):
         outline = {"name": f"P{i}", "top": 0, "depth": depth, "slope_rad": lean,
                    "outer": [[x + u, y + v, *(bulge or [0])] for u, v, *bulge in box_corners(w, h, radius)]}
         fillet = 0
-        if r.random() < 0.3:
+        # Walls that lean far would meet before the floor.
+        if depth * math.tan(lean) < 2 and r.random() < 0.3:
             outline["islands"] = [[[x + 3, y, 1], [x - 3, y, 1]]]
             islands = [disc(x, y, 3)]
         if rounding and rounding < depth and r.random() < 0.5:
@@ -469,7 +470,7 @@ def leaning_part(r):
                [(foot + 2 * rounding + 0.01, min(0, max(rounding, cusps) - depth)), (foot + 2 * rounding + 0.02, cusps - depth)]
         part.element(f"P{i}", shape, low, over if rounding else high, islands,
                      reach=(widest / 2 + 0.03, max(0, widest / 2 - rounding - 0.03), foot))
-        if r.random() < 0.15:
+        if not islands and r.random() < 0.15:
             deeper = min(depth + 2, THICKNESS - 1)
             part.pockets.append({"name": f"N{i}", "top": 0, "depth": deeper, "slope_rad": 0,
                                  "outer": [[x + u, y + v, *(bulge or [0])] for u, v, *bulge in box_corners(12, 11, 3.2)]})
