@@ -87,6 +87,35 @@ std::vector<BulgeVertex> old_vertices(const DxfDocument& document, std::span<con
   return vertices;
 }
 
+constexpr int kFromWidth = 40, kToWidth = 41, kWidth = 43;
+
+/// Where the line begins at a vertex and where it comes to the next one.
+struct WidthOfEdge {
+  double from = 0, to = 0;
+};
+
+/// One for each vertex.
+std::vector<WidthOfEdge> light_widths(const DxfDocument& document, const DxfEntity& entity) {
+  const double whole = document.number(entity, kWidth, 0);
+  std::vector<WidthOfEdge> widths;
+  for (const DxfGroup& group : entity.groups) {
+    if (group.code == 10) widths.push_back({whole, whole});
+    if (widths.empty()) continue;
+    if (group.code == kFromWidth) widths.back().from = document.number(group);
+    if (group.code == kToWidth) widths.back().to = document.number(group);
+  }
+  return widths;
+}
+
+std::vector<WidthOfEdge> old_widths(const DxfDocument& document, const DxfEntity& entity,
+                                    std::span<const DxfEntity> vertices) {
+  const double from = document.number(entity, kFromWidth, 0), to = document.number(entity, kToWidth, from);
+  std::vector<WidthOfEdge> widths;
+  for (const DxfEntity& vertex : vertices)
+    widths.push_back({document.number(vertex, kFromWidth, from), document.number(vertex, kToWidth, to)});
+  return widths;
+}
+
 /// Nothing for meshes.
 std::optional<Path> polyline_path(const DxfDocument& document, const DxfEntity& entity,
                                   std::span<const DxfEntity> old, bool& closed) {
@@ -104,6 +133,21 @@ double radius_of(const DxfDocument& document, const DxfEntity& entity) {
   const double radius = document.required(entity, 40);
   if (!(radius >= 0)) document.fail(entity.line, "a radius below 0; correct the file");
   return radius;
+}
+
+DxfWidth width_of(const DxfDocument& document, const DxfEntity& entity, std::span<const DxfEntity> vertices) {
+  constexpr int kClosed = 1;
+  std::vector<WidthOfEdge> widths;
+  if (entity.type == "LWPOLYLINE") widths = light_widths(document, entity);
+  if (entity.type == "POLYLINE") widths = old_widths(document, entity, vertices);
+  if (widths.size() > 1 && !(document.integer(entity, 70, 0) & kClosed)) widths.pop_back();
+  DxfWidth width;
+  for (const WidthOfEdge& edge : widths) width.widest = std::max({width.widest, edge.from, edge.to});
+  const auto is_widest = [&](const WidthOfEdge& edge) {
+    return edge.from == width.widest && edge.to == width.widest;
+  };
+  if (std::all_of(widths.begin(), widths.end(), is_widest)) width.constant = width.widest;
+  return width;
 }
 
 bool is_curve(std::string_view dxf_type) {

@@ -28,6 +28,14 @@ double radius_of(const DxfDocument& document, const DxfEntity& entity);
 std::optional<RawCurve> curve_of(const DxfDocument& document, const DxfEntity& entity,
                                  std::span<const DxfEntity> vertices, const Affine& map);
 
+/// Width of a polyline in the entity's own units; `constant` is absent where it varies along the line.
+struct DxfWidth {
+  double widest = 0;
+  std::optional<double> constant;
+};
+/// `vertices` are the VERTEX entities of a POLYLINE. Other entities have no width.
+DxfWidth width_of(const DxfDocument& document, const DxfEntity& entity, std::span<const DxfEntity> vertices);
+
 /// The vertices with bulges in `entity`, for example an LWPOLYLINE, under `map`.
 Path light_polyline(const DxfDocument& document, const DxfEntity& entity, bool closed, const Affine& map);
 

@@ -12,6 +12,7 @@
 #include "read/common/text.h"
 #include "read/drawing/drawing.h"
 #include "read/drawing/drawn_features.h"
+#include "read/drawing/stroke.h"
 #include "read/dxf/dxf_curves.h"
 #include "read/dxf/dxf_text.h"
 #include "read/repair/repair.h"
@@ -76,6 +77,7 @@ class Collector {
 
   void collect() {
     walk(document_.entities, Affine::scaling(unit_, unit_), "0", 0);
+    for (const auto& [layer, band] : bands_) say_what_bands_are(groups_[by_layer_.at(layer)], band);
     take_fills();
   }
 
@@ -113,12 +115,29 @@ class Collector {
                                             trimmed(high * unit_, 4) +
                                             " mm: heights are not read, all are cut to the depth given");
     }
-    if (wide_ > 0) {
-      diagnostics_.warn(document_.file,
-                        std::to_string(wide_) +
-                            " polyline(s) have a width, which does not count: they are read as their middle "
-                            "lines; draw the edges of what they cover");
-    }
+    tell_widths();
+  }
+
+  /// Widths are a question until --strokes answers it, except on layers where the cutter follows the line.
+  void tell_widths() const {
+    const std::string wide =
+        std::to_string(wide_) + " polyline(s) have a width and are read as their middle lines";
+    if (wide_ > 0 && options_.stroke_areas)
+      diagnostics_.note(document_.file, wide);
+    else if (wide_ > 0)
+      diagnostics_.doubt(document_.file, kNotAsDrawn,
+                         wide +
+                             ": say --strokes areas if they are meant as wide as they are drawn, --strokes "
+                             "lines if their middle lines are meant");
+    if (tapered_ > 0)
+      diagnostics_.doubt(document_.file, kNotAsDrawn,
+                         std::to_string(tapered_) +
+                             " polyline(s) have a width that changes along the line and are read as their "
+                             "middle lines: draw the edges of what they cover");
+    if (followed_ > 0)
+      diagnostics_.note(document_.file, std::to_string(followed_) +
+                                            " polyline(s) have a width, which does not count where the "
+                                            "cutter follows the line");
   }
 
   void report() const {
@@ -272,10 +291,46 @@ class Collector {
     } else if (curve->edges.empty()) {
       leave_out(std::string(entity.type) + " without length", layer);
     } else {
-      group.curves.push_back(std::move(*curve));
       note_heights(entity, followers);
-      if (is_wide(entity, followers)) ++wide_;
+      if (const DxfWidth width = width_of(document_, entity, followers); width.widest > 0) {
+        if (count_width(width, group)) return take_band(entity, followers, map, *width.constant, group);
+      }
+      group.curves.push_back(std::move(*curve));
     }
+  }
+
+  /// Whether the polyline is to be read as wide as it is drawn.
+  bool count_width(const DxfWidth& width, DrawnGroup& group) {
+    if (group.role == LayerRole::kEngrave || group.role == LayerRole::kTSlot) {
+      ++followed_;
+    } else if (options_.stroke_areas.value_or(false)) {
+      if (width.constant) return true;
+      ++tapered_;
+    } else {
+      ++wide_;
+      group.has_pens = true;
+    }
+    return false;
+  }
+
+  /// The area that a polyline of one width covers: ends cut square at its ends, mitred corners. Those of a layer are one area.
+  void take_band(const DxfEntity& entity, std::span<const DxfEntity> followers, const Affine& map,
+                 double width, DrawnGroup& group) {
+    const auto lines = [&](const Affine& at) {
+      const auto curve = curve_of(document_, entity, followers, at);
+      return std::vector<Subpath>{{curve->edges, curve->closed}};
+    };
+    const auto [band, is_new] = bands_.try_emplace(capitals(group.name), Compound{compounds_, true});
+    if (is_new) ++compounds_;
+    const std::string source = std::string(entity.type) + " at line " + std::to_string(entity.line);
+    for (Path& piece : stroke_pieces(map, Pen{.width = width}, lines))
+      group.curves.push_back({std::move(piece), true, source + " (as wide as drawn)", band->second});
+  }
+
+  /// A layer that holds nothing else is milled without a question.
+  static void say_what_bands_are(DrawnGroup& group, const Compound& band) {
+    const auto is_band = [&](const RawCurve& curve) { return curve.compound == band; };
+    group.says_role = group.says_role || std::all_of(group.curves.begin(), group.curves.end(), is_band);
   }
 
   /// Whether entities of a layer are to be read; counts the entity if not.
@@ -383,19 +438,6 @@ class Collector {
     heights_ = {std::min(heights_[0], *low), std::max(heights_[1], *high)};
   }
 
-  /// Whether a polyline has a width, as a whole or at a vertex.
-  bool is_wide(const DxfEntity& entity, std::span<const DxfEntity> followers) const {
-    constexpr std::array kWidths{40, 41, 43};
-    if (entity.type != "LWPOLYLINE" && entity.type != "POLYLINE") return false;
-    const auto has_width = [&](const DxfEntity& one) {
-      return std::any_of(one.groups.begin(), one.groups.end(), [&](const DxfGroup& group) {
-        return std::find(kWidths.begin(), kWidths.end(), group.code) != kWidths.end() &&
-               document_.number(group) > 0;
-      });
-    };
-    return has_width(entity) || std::any_of(followers.begin(), followers.end(), has_width);
-  }
-
   DrawnGroup& group_of(const std::string& layer) {
     const auto [found, is_new] = by_layer_.try_emplace(capitals(layer), groups_.size());
     if (is_new) {
@@ -486,8 +528,11 @@ class Collector {
   int risen_ = 0;                              ///< curves with varying height
   std::array<double, 2> heights_{};            ///< lowest and highest, in units of the drawing
   bool any_height_ = false;
-  std::string unplotted_;  ///< names of layers
-  int wide_ = 0;           ///< polylines
+  std::string unplotted_;                  ///< names of layers
+  int wide_ = 0;                           ///< polylines of a width that is not asked to count
+  int tapered_ = 0;                        ///< the same of a width that cannot count, because it changes
+  int followed_ = 0;                       ///< the same that the cutter follows
+  std::map<std::string, Compound> bands_;  ///< areas of wide polylines by layer
   int count_ = 0;
 };
 

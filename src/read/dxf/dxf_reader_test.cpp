@@ -287,15 +287,45 @@ TEST(Dxf, OutlinesAtSeveralHeightsAreSaid) {
 }
 
 /// A ring of AutoCAD's DONUT is a polyline with a width.
-TEST(Dxf, WidthsOfPolylinesAreSaid) {
-  const auto wide = [](const std::string& entities) {
-    return said(read(dxf(entities)), Severity::kWarning, "1 polyline(s) have a width");
+TEST(Dxf, WidthsOfPolylinesAreAQuestionUntilTheyAreAnswered) {
+  const auto asked = [](const std::string& entities, std::optional<bool> areas = {}) {
+    ReadOptions options;
+    options.stroke_areas = areas;
+    const Part part = read(dxf(entities), options);
+    return std::count_if(part.diagnostics.items().begin(), part.diagnostics.items().end(),
+                         [](const Diagnostic& one) { return one.condition == "not-as-drawn"; });
   };
   const std::string ends = " 10 0 20 0 42 1 10 9 20 0 42 1";
-  EXPECT_EQ(wide(" 0 LWPOLYLINE 8 D5 70 1 43 2" + ends), 1);
-  EXPECT_EQ(wide(" 0 LWPOLYLINE 8 D5 70 1 43 0" + ends), 0);
-  EXPECT_EQ(wide(" 0 POLYLINE 8 D5 70 1 40 2 41 2 0 VERTEX 10 0 20 0 42 1 0 VERTEX 10 9 20 0 42 1 0 SEQEND"),
+  const std::string wide = " 0 LWPOLYLINE 8 D5 70 1 43 2" + ends;
+  EXPECT_EQ(asked(wide), 1);
+  EXPECT_EQ(asked(wide, false), 0);
+  EXPECT_EQ(asked(wide, true), 0);
+  EXPECT_EQ(asked(" 0 LWPOLYLINE 8 D5 70 1 43 0" + ends), 0);
+  EXPECT_EQ(asked(" 0 LWPOLYLINE 8 ENGRAVE_D1 70 1 43 2" + ends), 0) << "the cutter follows the line";
+  EXPECT_EQ(asked(" 0 POLYLINE 8 D5 70 1 40 2 41 2 0 VERTEX 10 0 20 0 42 1 0 VERTEX 10 9 20 0 42 1 0 SEQEND"),
             1);
+  EXPECT_EQ(asked(" 0 LWPOLYLINE 8 D5 70 1 10 0 20 0 42 1 40 1 41 2 10 9 20 0 42 1 40 2 41 1", true), 1)
+      << "a width that changes";
+}
+
+TEST(Dxf, PolylinesAreAsWideAsDrawnWhereThatIsAsked) {
+  const auto area_of = [](const std::string& entities) {
+    ReadOptions options;
+    options.stroke_areas = true;
+    double sum = 0;
+    for (const Feature& feature : read(dxf(entities), options).features) sum += area(feature.target);
+    return sum;
+  };
+  EXPECT_NEAR(area_of(" 0 LWPOLYLINE 8 D5 70 1 43 2 10 0 20 0 42 1 10 9 20 0 42 1"),
+              kPi * (5.5 * 5.5 - 3.5 * 3.5), 1e-6)
+      << "a ring";
+  EXPECT_NEAR(area_of(" 0 LWPOLYLINE 8 D5 70 0 43 2 10 0 20 0 10 10 20 0 10 10 20 5"), 10 * 2 + 5 * 2 - 1 + 1,
+              1e-6)
+      << "an open line: square ends, one mitred corner";
+  EXPECT_NEAR(area_of(" 0 LWPOLYLINE 8 D5 70 0 43 2 10 0 20 0 10 10 20 0"
+                      " 0 LWPOLYLINE 8 D5 70 0 10 5 20 -5 40 2 41 2 10 5 20 5 40 9 41 9"),
+              20 + 20 - 4, 1e-6)
+      << "two that cross are one area; the last vertex of an open line has no edge";
 }
 
 TEST(Dxf, ManyInsertsOfInsertsAreRefusedNotExpanded) {
