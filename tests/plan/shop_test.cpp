@@ -276,6 +276,34 @@ TEST(Rest, RandomPocketsAreCleanWithTwoTools) {
   }
 }
 
+/// Above the rounding of its corners a bull-nose reaches further into a corner than on the floor, where nothing may be left to it.
+TEST(Rest, ByBullNosesIsCutAsFarAsTheirSidesReach) {
+  struct Row {
+    const char* large;
+    const char* small;
+    double depth;
+    std::vector<Vec2> outline;
+  };
+  const Row rows[] = {
+      {"endmill:8",
+       "bullnose:4:corner=1",
+       1.5,
+       {{21.6973, 14.8486}, {10.6175, 21.1649}, {2.0823, 11.1778}, {14.9282, 3.4088}}},
+      {"endmill:12",
+       "bullnose:5:corner=2.4",
+       0.6,
+       {{25.1525, 25.6352}, {10.0587, 27.8762}, {2.9642, 15.8989}, {15.1856, 4.2361}, {27.4741, 9.8377}}},
+  };
+  for (const Row& row : rows) {
+    PlanOptions options = test_support::plan_options_with({row.large, row.small});
+    options.shop.rest = true;
+    options.strategy = "adaptive";
+    options.accept = {"out-of-reach"};
+    const Region outline = Region::from_valid_loops(loop_from_points(row.outline), {});
+    expect_clean(pipeline::plan_part(part_of({outline}, row.depth), options), row.small);
+  }
+}
+
 /// What the widest cutters leave in corners is cut before the pockets under it, also where rest machining is not asked for.
 TEST(Rest, SeveralCuttersChosenBySizeLeaveNothingOverWhatLiesUnder) {
   const Part part = read::read_part(std::string(CLEARCUT_SOURCE_DIR) + "/examples/fishhead.p21", {});

@@ -430,17 +430,19 @@ std::vector<Loop> ways_over(const Regions& area, double radius, const Tolerances
 std::vector<CutLayer> cuts_of_rest(const Layer& layer, const AdaptiveOptions& options,
                                    const Tolerances& tol) {
   std::vector<CutLayer> cuts;
-  const double reach = (1 + kBeyondOpenSides) * layer.tool_radius + layer.wall_stock;
+  // Above the rounding of its corners a cutter takes what its whole radius reaches.
+  const double radius = layer.tool_radius + layer.rounded;
+  const double reach = (1 + kBeyondOpenSides) * radius + layer.wall_stock - layer.rounded;
   for (Regions& part : parts_apart(layer.target, 2 * reach)) {
     Layer one = layer;
     one.stock = box(part);
     one.allowed = intersect(layer.allowed, dilate(part, reach, tol), tol);
-    const Regions around = intersect(layer.allowed, dilate(part, reach + layer.tool_radius, tol), tol);
+    const Regions around = intersect(layer.allowed, dilate(part, reach + radius, tol), tol);
     const Regions cleared = subtract(around, part, tol);
     const Regions centers = inset(one.allowed, layer.tool_radius + layer.wall_stock, tol);
-    const Regions strips = intersect(part, dilate(centers, layer.tool_radius, tol), tol);
+    const Regions strips = intersect(part, dilate(centers, radius, tol), tol);
     one.target = std::move(part);
-    CutLayer cut = cut_layer(one, true, most_into_rest(strips, layer.tool_radius), options);
+    CutLayer cut = cut_layer(one, true, most_into_rest(strips, radius), options);
     cut.cleared = ways_over(cleared, cut.layer.tool_radius, tol);
     cuts.push_back(std::move(cut));
   }
