@@ -521,6 +521,7 @@ class JsonReader {
         if (out.kind == '{') {
           need('"');
           out.names.push_back(quoted());
+          if (out.names.back().find('\\') != Text::npos) out.fail("a name with an escape");
           if (std::count(out.names.begin(), out.names.end(), out.names.back()) > 1)
             out.fail("a name stands twice");
           need(':');
@@ -698,7 +699,11 @@ Feature read_feature(const Json& pocket, Int unit, bool alone) {
   f.target = read_region({&pocket}, unit, false);
   std::vector<const Json*> parts;
   if (allowed)
-    for (const Json& one : allowed->list()) parts.push_back(&one);
+    for (const Json& one : allowed->list()) {
+      parts.push_back(&one);
+      for (const Text& name : one.names)
+        if (name != "outer" && name != "islands") one.fail("\"" + name + "\" is not claimed");
+    }
   f.allowed = parts.empty() ? f.target : read_region(parts, unit, true);
   return f;
 }
@@ -814,8 +819,10 @@ class Track {
     if (nm < 0 || nm > kMillimetre) fail("a tolerance out of range");
     tolerance_ += nm + 1;
     out_.blending = std::max(out_.blending, tolerance_);
-    out_.stated = true;
+    state();
   }
+  /// How exactly the program is followed: of all motions where it is said before them.
+  void state() { out_.stated = out_.stated || out_.moves.empty(); }
 
   Program& out_;
   Int top_, unit_ = kMillimetre, tool_ = 0, tolerance_ = 0;
@@ -868,6 +875,18 @@ class IsoReader : Track {
       at += call[at] == ',';
     }
     if (call[at] != ',' && call[at] != ')') fail("a cycle with a relative depth");
+    // Later ones are times, feeds and pecks; beyond them depths may count from elsewhere, the 13th names another axis.
+    const std::size_t close = call.find(')'), most = call[7] == '1'   ? 5
+                                                     : call[7] == '2' ? 6
+                                                     : call[7] == '3' ? 17
+                                                                      : 8;
+    std::vector<std::size_t> commas;
+    for (std::size_t i = 0; i < std::min(close, call.size()); ++i)
+      if (call[i] == ',') commas.push_back(i);
+    if (close == Text::npos || call.find_first_not_of(' ', close + 1) != Text::npos ||
+        commas.size() >= most ||
+        (commas.size() > 11 && call[commas[11] + 1] != ',' && call[commas[11] + 1] != ')'))
+      fail("'" + line + "' is not claimed");
     motion_ = kCalled, to_start_ = true, begins_ = false;
     start_ = numbers[0], clear_ = numbers[1] + numbers[2], bottom_ = numbers[3];
     return true;
@@ -882,6 +901,8 @@ class IsoReader : Track {
         comment = c != ')';
         continue;
       }
+      if (c == ';' && tape_ && line.find_first_not_of(" \t\r", at) != Text::npos)
+        fail("something follows the end of a block");
       if (c == ';') break;
       if (c == ' ' || c == '\t' || c == '\r') continue;
       if (c == '%' && line.find_first_not_of(" \t\r", at) == Text::npos) return begun_;
@@ -919,10 +940,11 @@ class IsoReader : Track {
   }
   std::optional<Int> axis(char letter) { return has(letter) ? std::optional(length(letter)) : std::nullopt; }
   void codes() {
+    if (has('O') && (tape_ || moved())) fail("a second program begins");
     if (has('O')) words_.erase('O'), tape_ = out_.dogleg = true;
     for (const char c : {'N', 'S', 'F'}) words_.erase(c);
     if (takes_g(40)) {  // a dwell
-      if (words_.erase('P') + words_.erase('X') > 1 || !words_.empty() || !gs_.empty())
+      if (words_.erase('P') + words_.erase('X') > 1 || !words_.empty() || !gs_.empty() || !ms_.empty())
         fail("a dwell with other words");
       return;
     }
@@ -934,24 +956,32 @@ class IsoReader : Track {
     }
     for (const Int code : {170, 400, 911, 940})
       takes_g(code);  // XY plane, no compensation, centers from the start, feed per minute
-    if (takes_g(800)) motion_ = -1;
+    if (takes_g(800)) {
+      if (motion_ == kCalled) fail("G80 does not end a cycle that is called");
+      motion_ = -1;
+    }
     tools();
     const bool by_reference = takes_g(280), up = by_reference || takes_g(530), incremental = takes_g(910);
     in_steps_ = in_steps_ || incremental;
     if (by_reference ? !in_steps_ : incremental) fail("G28 without G91, or the other way round");
-    if (takes_g(900)) absolute_ = true, in_steps_ = false;
+    if (takes_g(900)) {
+      if (incremental) fail("G90 and G91 in one block");
+      absolute_ = true, in_steps_ = false;
+    }
     // By way of a place: of the one where the tool is, in steps of nothing.
     for (const char c : {'X', 'Y', 'Z'})
       if (by_reference && has(c) && words_.at(c).digits != 0) fail("G28 by way of another place");
-    if (sinumerik_ && words_.erase('D') > 0 && !up && !at_home())
-      fail("the tool's length changes away from the machine's upper end");
+    if (sinumerik_ && has('D')) {
+      if (take('D').digits == 0 && !up) fail("D0, which is no tool's length");
+      if (!up && !at_home()) fail("the tool's length changes away from the machine's upper end");
+    }
     if (up) return go_home(in_steps_);
     if (takes_g(490) || takes_g(430)) {
       if (!at_home()) fail("the tool's length changes away from the machine's upper end");
-      words_.erase('H');
+      if (has('H') && take('H').digits == 0) fail("H0, which is no tool's length");
     }
     offsets();
-    if (takes_g(610) || (sinumerik_ && takes_g(600))) out_.stated = true;
+    if (takes_g(610) || (sinumerik_ && takes_g(600))) state();
     const bool path = takes_g(640), smooth = takes_g(1870), contour = sinumerik_ && takes_g(6420);
     if (path || smooth || contour) {
       const char first = path ? 'P' : smooth ? 'E' : 'C';
@@ -962,11 +992,14 @@ class IsoReader : Track {
       blend(one, false);
       if (path) blend(has('Q') ? take('Q') : one, true);
     }
-    if (takes_g(980)) to_start_ = true;
-    if (takes_g(990)) to_start_ = false;
+    const bool to_start = takes_g(980), to_clear = takes_g(990);
+    if (to_start && to_clear) fail("G98 and G99 in one block");
+    if (to_start || to_clear) to_start_ = to_start, says_where_to_ = true;
     for (const Int code : {0, 10, 20, 30, 730, 740, 810, 820, 830, 840, 850, 890}) {
       if (!takes_g(code)) continue;
       if (!gs_.empty()) fail("more than one motion");
+      if (motion_ == kCalled && code == 0) continue;  // the cycle follows the rapid to each place
+      if (motion_ == kCalled) fail("a motion while a cycle is called");
       motion_ = code;
       begins_ = code > 700;
     }
@@ -993,14 +1026,17 @@ class IsoReader : Track {
     by_change_ = by_change_ || changes;
     by_word_ = by_word_ || (called && !by_change_);
     if (changes || (called && !by_change_)) tool = called_;
+    if (tool && (has('X') || has('Y') || has('Z'))) fail("a tool change with a motion");
     if (tool) change(*tool);
   }
   /// To the machine's upper end: G53 G0 Z0, G91 G28 Z0; then to a place of its own.
   void go_home(bool incremental) {
+    if (motion_ == kCalled) fail("a way home while a cycle is called");
     if (takes_g(0)) motion_ = 0;
     if (!gs_.empty() || !ms_.empty()) fail("a way home with other words");
     const bool up = has('Z');
     if (up && take('Z').digits != 0) fail("a way home other than Z0");
+    if (up && (has('X') || has('Y')) && !at_home()) fail("a way home that does not go straight up first");
     if (up) home();
     for (const char c : {'X', 'Y'})
       if (has(c)) take(c), away();
@@ -1037,6 +1073,7 @@ class IsoReader : Track {
     if (z) bottom_ = *z;
     if (has('R')) clear_ = length('R');
     for (const char c : {'P', 'Q'}) words_.erase(c);
+    if (motion_ != kCalled && !says_where_to_ && start_ != clear_) fail("a cycle without G98 or G99");
     drill(x, y, clear_, bottom_, to_start_ ? start_ : clear_);
   }
 
@@ -1045,7 +1082,7 @@ class IsoReader : Track {
   std::optional<Int> called_, inserted_;
   Int motion_ = -1, offset_ = 0, start_ = 0, clear_ = 0, bottom_ = 0;
   bool absolute_ = false, in_steps_ = false, tape_ = false, sinumerik_ = false, begun_ = false,
-       to_start_ = true, begins_ = false, by_change_ = false, by_word_ = false;
+       to_start_ = true, says_where_to_ = false, begins_ = false, by_change_ = false, by_word_ = false;
 };
 
 /// Heidenhain Klartext: L, CC, C, CP and cycles of holes.
@@ -1067,8 +1104,10 @@ class KlartextReader : Track {
     if (tokens_.empty()) return;
     if (tokens_[0].find_first_not_of("0123456789") != Text::npos) fail("a block needs its number");
     tokens_.erase(tokens_.begin());
-    if (!tokens_.empty() && ended_) fail("something follows the end of the program");
-    if (!tokens_.empty()) read(tokens_[0], tokens_.size() > 1 ? tokens_[1] : "", tokens_.back());
+    if (tokens_.empty()) return;
+    if (ended_ && (tokens_[0] != "END" || closed_)) fail("something follows the end of the program");
+    ended_ = ended_ || tokens_[0] == "M30";
+    read(tokens_[0], tokens_.size() > 1 ? tokens_[1] : "", tokens_.back());
   }
 
  private:
@@ -1078,11 +1117,14 @@ class KlartextReader : Track {
       if (second != "PGM" || (first == "BEGIN" && moved()) || (last != "MM" && last != "INCH"))
         fail("a unit is missing, or a second program begins");
       unit_ = last == "MM" ? kMillimetre : kInch;
-      ended_ = first == "END";
+      ended_ = closed_ = first == "END";
     } else if (first == "TOOL" && second == "CALL") {
       for (const Text& token : tokens_)
         if (token[0] == 'D') fail("a tool call with " + token);
-      if (tokens_.size() > 2 && tokens_[2] != "Z") change(small(number(tokens_[2], 0), 1));
+      if (tokens_.size() > 2 && tokens_[2] != "Z") {
+        if (tokens_.size() < 4 || tokens_[3] != "Z") fail("a tool call without its axis, Z");
+        change(small(number(tokens_[2], 0), 1));
+      }
     } else if (first == "CYCL" && second == "DEF" && tokens_.size() > 2) {
       define(tokens_[2], last);
     } else if (first == "CYCL" && second == "CALL" && tokens_.size() == 2) {
@@ -1114,11 +1156,17 @@ class KlartextReader : Track {
       return blend(number(last, 1), false);
     }
     if (!std::set<Text>{"200", "201", "206", "207"}.count(cycle)) fail("cycle " + cycle + " is not claimed");
+    // Heights, depths, feeds, times and the pitch; Q395 may count depths from the end of the cylinder.
+    static const std::set<Text> kNumbers{"Q200", "Q201", "Q202", "Q203", "Q204",
+                                         "Q206", "Q208", "Q210", "Q211", "Q239"};
     cycle_.clear();
     for (const Text& token : tokens_) {
       const std::size_t equal = token.find('=');
-      if (equal != Text::npos)
-        cycle_[token.substr(0, equal)] = scaled(number(token, equal + 1), unit_, false, where());
+      if (equal == Text::npos) continue;
+      if (!kNumbers.count(token.substr(0, equal)) &&
+          (token.substr(0, equal) != "Q395" || number(token, equal + 1).digits != 0))
+        fail("a cycle with " + token);
+      cycle_[token.substr(0, equal)] = scaled(number(token, equal + 1), unit_, false, where());
     }
     for (const char* name : {"Q200", "Q201", "Q203", "Q204"})
       if (!cycle_.count(name)) fail(Text("a cycle without ") + name);
@@ -1174,6 +1222,7 @@ class KlartextReader : Track {
   std::vector<Text> tokens_;
   std::map<Text, Int> cycle_;
   std::optional<Point> center_;
+  bool closed_ = false;
 };
 
 Program read_program(const Text& in, const Text& file, Int top) {
@@ -1183,9 +1232,17 @@ Program read_program(const Text& in, const Text& file, Int top) {
   const std::size_t start = std::min(in.find_first_not_of(" \t\r\n"), in.size());
   const bool plain = in.compare(start, 11, "0 BEGIN PGM") == 0;
   out.stated = plain;
+  Int number = 0;
   for (std::size_t at = 0, end = 0; at < in.size(); at = end + 1) {
+    ++number;
     end = std::min(in.find('\n', at), in.size());
-    plain ? klartext.block(in.substr(at, end - at)) : iso.block(in.substr(at, end - at));
+    Text line = in.substr(at, end - at);
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    for (const unsigned char c :
+         line)  // some controls begin a line, or stop, at such characters, in comments too
+      if ((c < ' ' && c != '\t') || c > '~')
+        reject(file + ":" + text(number) + ": a character that is none of ASCII's printed ones");
+    plain ? klartext.block(line) : iso.block(line);
   }
   out.lift = out.blending;
   out.blending += out.rounding;

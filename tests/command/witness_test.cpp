@@ -392,6 +392,20 @@ TEST(Witness, WrongOnesAreRefused) {
   EXPECT_THAT(said.out, HasSubstr("300 wrong witnesses of 47 kinds, 0 not refused"));
 }
 
+/// Words that a control carries out otherwise than a reader of plain moves might: each is hidden in a program whose witness is right.
+TEST(Checker, RefusesHiddenWords) {
+  const ScratchFolder folder;
+  const std::string part = folder.file("t.json", kHolesAndPocket);
+  for (const std::string control : {"linuxcnc", "grbl", "fanuc", "heidenhain", "marlin", "siemens"})
+    run_clearcut({"plan", part, "--tool", "endmill:5", "--tool", "drill:6", "-o",
+                  folder.path(control + ".nc"), "--post", control, "--witness", folder.path(control + ".ccw"),
+                  "--quiet"});
+  const CommandResult said =
+      shell(folder, "python3 " + kWrong + "/words.py " + kChecker + " " + part + " " + folder.path(""));
+  EXPECT_EQ(said.exit_code, 0) << said.out;
+  EXPECT_THAT(said.out, HasSubstr("24 programs with hidden words, 0 not refused for their reason"));
+}
+
 TEST(Checker, StatesTheEngagementOfEachLevelFeed) {
   const ScratchFolder folder;
   plan_bracket(folder, {"--strategy", "adaptive"});
