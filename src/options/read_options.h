@@ -101,7 +101,7 @@ struct StockRequest {
   std::array<double, 2> z{};  ///< bottom and top
 };
 
-/// mm. Depth of through cuts and through holes below the solid.
+/// mm. Depth of through cuts and through holes below the solid, or below the stock of a drawing.
 inline constexpr double kBreakthrough = 0.5;
 
 /// Options only for a solid (STEP).

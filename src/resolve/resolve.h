@@ -48,9 +48,10 @@ bool writes_wear(const ShopOptions& shop);
 /// mm that D words may be off 0 either way.
 double wear_range_of(const ShopOptions& shop);
 
-/// For milled features one step more for each smaller mill of the part, on what is left: for all where rest machining is
-/// asked for, else for those whose tool was chosen by size and under which others lie, since what stands there would stand in their way. Such steps come
-/// before the first step underneath, the others after all steps there are, tool by tool.
+/// Adds rest machining: for a milled feature one step more for each smaller mill of the part, on the stock that is left. With rest
+/// machining asked for, every milled feature gets such steps, after all other steps and tool by tool. Otherwise only features get them
+/// whose tool was chosen by size and that have other features below them: the stock left would be in the way of those, so that the
+/// steps come before the first step of the features below.
 void add_rest_steps(Part& part, const PlanOptions& options, StepSources& sources);
 
 /// For every milled feature the finishing steps asked for, after all others, which leave stock for them: the floor with

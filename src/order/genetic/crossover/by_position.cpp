@@ -163,7 +163,7 @@ class UniformPartiallyMapped final : public Crossover {
   const OperatorContext& context_;
 };
 
-/// SMX.
+/// Sorted match crossover (SMX): exchanges stretches that run through the same places between the same ends, the shorter for the longer.
 class SortedMatch final : public Crossover {
  public:
   explicit SortedMatch(const OperatorContext& context) : context_(context) {}

@@ -240,7 +240,7 @@ class Easer {
     return std::nullopt;
   }
 
-  /// mm of `before` that an arc takes that takes `of_after` mm of the other side.
+  /// Length, mm, by which a rounding arc shortens `before` if it shortens `after` by `of_after` mm.
   static double taken_for(const Edge& before, const Edge& after, double of_after) {
     const double turn = turn_at_joint(before, after),
                  bends = (curvature_of(after) - curvature_of(before)) * (turn > 0 ? 1 : -1),
