@@ -7,10 +7,13 @@
 #include "base/units.h"
 #include "features/standing.h"
 #include "geometry/contours/boolean.h"
+#include "pipeline/run.h"
 #include "post/part/part_writers.h"
+#include "read/job/read_part.h"
 #include "read/stepnc/stepnc.h"
 #include "studies/fishhead.h"
 #include "support/data.h"
+#include "support/plans.h"
 #include "support/plate.h"
 #include "support/same_regions.h"
 #include "support/stepnc_files.h"
@@ -84,6 +87,21 @@ TEST(StepNcRoundTrip, LinesToFollowAreRefusedByName) {
     const std::string what = error.what();
     EXPECT_NE(what.find(first.name + " is an inside profile, a line to follow"), std::string::npos) << what;
   }
+}
+
+/// A step that finds nothing left has no toolpath to be read again, and would be planned anew.
+TEST(StepNcRoundTrip, StepsThatFindNothingLeftAreNotWrittenWithToolpaths) {
+  const Part pocket = read::read_part_text(
+      R"({"units": "mm", "pockets": [{"name": "P", "top": 0, "depth": 2, "outer": [
+         [0, 0, 1], [20, 0, 1]]}]})",
+      "round.json", {});
+  PlanOptions options = test_support::plan_options_with({"endmill:6", "endmill:3"});
+  options.shop.rest = true;
+  const PlanResult plan = pipeline::plan_part(pocket, options);
+  ASSERT_EQ(plan.part.workplan.size(), 2U);
+  const std::string text = post::write_stepnc(plan.part, plan.planned);
+  EXPECT_EQ(read::stepnc::read_stepnc(text, "again.p21", {}).workplan.size(), 1U);
+  EXPECT_EQ(read::stepnc::read_stepnc(post::write_stepnc(plan.part), "again.p21", {}).workplan.size(), 2U);
 }
 
 /// Makes parts with every kind of feature, tool and operation.

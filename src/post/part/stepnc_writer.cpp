@@ -219,6 +219,7 @@ class SetupWriter {
       const auto index = static_cast<std::size_t>(part_.workplan[i].feature);
       if (features[index].empty()) features[index] = write_feature_with_operations(static_cast<int>(index));
       write_stops(part_.workplan[i]);
+      if (has_nothing_left(i)) continue;
       for (std::size_t piece = 0; piece < features[index].size(); ++piece)
         steps_.push_back(
             out_.add("MACHINING_WORKINGSTEP", {p21_string(piece_name(part_.workplan[i].name, piece)),
@@ -266,6 +267,19 @@ class SetupWriter {
     return whole;
   }
 
+  bool is_cut(std::size_t step) const {
+    return std::any_of(toolpath_->sections.begin(), toolpath_->sections.end(),
+                       [&](const Section& section) { return section.workingstep == static_cast<int>(step); });
+  }
+
+  /// Whether other steps leave nothing of its feature to the step, which without a toolpath would be planned anew from the file.
+  bool has_nothing_left(std::size_t step) const {
+    if (toolpath_ == nullptr || is_cut(step)) return false;
+    for (std::size_t i = 0; i < part_.workplan.size(); ++i)
+      if (part_.workplan[i].feature == part_.workplan[step].feature && is_cut(i)) return true;
+    return false;
+  }
+
   static std::string piece_name(const std::string& name, std::size_t piece) {
     return piece == 0 ? name : name + " (" + std::to_string(piece + 1) + ")";
   }
@@ -274,7 +288,7 @@ class SetupWriter {
     const Feature& feature = part_.features[static_cast<std::size_t>(index)];
     std::vector<std::string> its_operations;
     for (std::size_t i = 0; i < part_.workplan.size(); ++i) {
-      if (part_.workplan[i].feature != index) continue;
+      if (part_.workplan[i].feature != index || has_nothing_left(i)) continue;
       operations_[i] = write_operation(i, feature);
       its_operations.push_back(operations_[i]);
     }
