@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "options/plan_options.h"
 #include "studies/reproduce/reproduction.h"
 #include "studies/reproduce/table_runs.h"
 
@@ -51,6 +52,9 @@ Reproduction fishhead_table();
 Reproduction grid_points_table();
 
 inline constexpr std::size_t kFishheadSeeds = 3;
+
+/// The job of table 6.5: a grid of half the cutter's diameter in layers of 2 mm.
+PlanOptions options_of_the_published_job();
 
 /// Mean, and half the width of its 95 % interval by Student's t.
 std::pair<double, double> mean_of_seeds(const std::array<double, kFishheadSeeds>& values);

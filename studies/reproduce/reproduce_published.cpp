@@ -40,13 +40,9 @@ void append_figures(RunFigures& to, const Figures& figures) {
 
 /// The quantities of every feature in the order of work, those of the whole program last.
 RunFigures planned(const Part& part, const char* objective, bool is_published, std::uint64_t seed) {
-  PlanOptions options;
-  options.strategy = "tour";
-  options.stepover = "0.5";
-  options.stepdown = 2;
+  PlanOptions options = options_of_the_published_job();
   options.objective = objective;
   options.seed = seed;
-  options.published.published_grid = true;
   options.published.solver = VisitSolver{is_published, {}};
   const auto result = pipeline::plan_part(part, options);
   RunFigures figures;
@@ -122,6 +118,15 @@ void add_travel(Reproduction& result, const Travel& travel, const Part& part, Ta
 }
 
 }  // namespace
+
+PlanOptions options_of_the_published_job() {
+  PlanOptions options;
+  options.strategy = "tour";
+  options.stepover = "0.5";
+  options.stepdown = 2;
+  options.published.published_grid = true;
+  return options;
+}
 
 std::pair<double, double> mean_of_seeds(const std::array<double, kFishheadSeeds>& values) {
   double mean = 0, squares = 0;

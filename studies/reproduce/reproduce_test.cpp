@@ -203,6 +203,14 @@ TEST(TableRuns, AreTakenUpAgain) {
   EXPECT_EQ(said.at(2), "spiral, seed 1: 4 (kept)");
 }
 
+/// Layers of 2 mm, as the text has it, on a grid of half the diameter.
+TEST(PublishedFishhead, IsPlannedInThePrintedLayers) {
+  const PlanOptions options = options_of_the_published_job();
+  EXPECT_EQ(options.stepdown, 2);
+  EXPECT_EQ(options.stepover, "0.5");
+  EXPECT_TRUE(options.published.published_grid);
+}
+
 /// 4.303 sigma / sqrt(3).
 TEST(PublishedFishhead, MeanOfThreeSeedsAndItsInterval) {
   const auto [mean, interval] = mean_of_seeds({1, 2, 3});
