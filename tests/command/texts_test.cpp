@@ -176,6 +176,20 @@ TEST(TextsPage, KnowsFourTexts) {
   }
 }
 
+/// The table of counts at the head of the page: the last row is that of all rows below.
+TEST(TextsPage, CountsItsRows) {
+  const std::string page = read_file(CLEARCUT_SOURCE_DIR "/docs/texts.md");
+  std::map<std::string, int> count;
+  for (const Item& item : items_of_the_texts()) ++count[item.agreement];
+  std::string row = "| all |";
+  int all = 0;
+  for (const char* word : {"agrees", "computed", "printed", "runs", "explained", "differs", "not built"}) {
+    row += fmt::format(" {} |", count[word]);
+    all += count[word];
+  }
+  EXPECT_NE(page.find(fmt::format("{} {} |", row, all)), std::string::npos) << row << all;
+}
+
 /// Every row has a sign, and all of its signs are there.
 void expect_that_it_happens(const Item& item, const CommandResult& result, const ScratchFolder& folder) {
   int signs = 0;
