@@ -125,6 +125,7 @@ class Settings(TypedDict, total=False):
     tool_change: bool
     length_offset: bool
     exact_stop: bool
+    corner_tolerance: Length | None
     spindle_wait: float | None
     program_number: int | None
     work_offset: str
@@ -365,6 +366,7 @@ class PlanOptions:
     tool_change: bool
     length_offset: bool
     exact_stop: bool
+    corner_tolerance: Length | None
     spindle_wait: float | None
     program_number: int | None
     work_offset: str

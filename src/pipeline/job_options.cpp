@@ -194,11 +194,14 @@ std::string idle_in_program(const Row& row, const PlanResult& result, const Tool
     row.field.set(other, *usual, row.names);
   else if (row.name == "decimals")
     other.plan.post.decimals.reset();
+  else if (row.name == "corner-tolerance")
+    other.plan.post.corner_tolerance.reset();
   else if (row.name == "program-number")
     other.plan.post.program_number.reset();
   else
     return "";
-  const PostOptions own = plan.post;
+  PostOptions own = plan.post;
+  if (row.name == "corner-tolerance") own.corner_tolerances = result.corner_tolerances;
   const bool is_same = post::write_program(planned, result.part, own) ==
                        post::write_program(planned, result.part, other.plan.post);
   return is_same ? "the program for " + own.dialect + " is the same without it" : "";

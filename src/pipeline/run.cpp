@@ -22,6 +22,7 @@
 #include "pipeline/selection/strategies.h"
 #include "pipeline/stated_limits.h"
 #include "pipeline/steps/certify.h"
+#include "pipeline/steps/corner_tolerances.h"
 #include "pipeline/steps/out_of_reach.h"
 #include "pipeline/steps/program_conditions.h"
 #include "pipeline/steps/step_work.h"
@@ -295,6 +296,7 @@ std::unique_ptr<CertifiedPlan> certified_plan(const ResolvedPlan& plan, const St
 void complete_verdict(const Toolpath& toolpath, const ResolvedPlan& plan, PlanResult& result) {
   add_conditions_of_part(result.part, toolpath, plan, result.findings);
   add_not_machined(result.part.diagnostics, result.findings);
+  tell_corner_tolerances(toolpath, plan, result);
   result.margin = margin_asked({result.part, result.toolpath, result.control}, plan, result.findings);
   sign(result, toolpath, plan);
 }

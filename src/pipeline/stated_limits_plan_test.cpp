@@ -10,6 +10,8 @@
 namespace clearcut::pipeline {
 namespace {
 
+using ::testing::Contains;
+using ::testing::Field;
 using ::testing::HasSubstr;
 
 std::string refused(const Part& part, const PlanOptions& options) {
@@ -158,6 +160,44 @@ TEST(StatedLimits, AConeThatCutsWithItsFlankAloneCutsSomething) {
   std::string beside = program;
   beside.replace(beside.find("X-2"), 3, "X-9");
   EXPECT_TRUE(open(beside));
+}
+
+/// Controls with a word for it round corners by as much as leaves the part clean, which is told where it is less than asked;
+/// the path stays the same.
+TEST(StatedLimits, CornersAreRoundedByAsMuchAsIsProven) {
+  const Part pocket = drawn(box("POCKET_D2", 0, 0, 40, 28));
+  struct Row {
+    const char* post;
+    const char* usual;
+    const char* asked;
+  };
+  const Row rows[] = {{"linuxcnc", "G64 P0.0005 Q0", "G64 P0.004 Q0"},
+                      {"haas", "G187 P2 E0.0005", "G187 P2 E0.004"},
+                      {"siemens", "G642 CTOL=0.0005", "G642 CTOL=0.004"},
+                      {"heidenhain", "CYCL DEF 32.1 T0.0005", "CYCL DEF 32.1 T0.004"}};
+  for (const Row& row : rows) {
+    SCOPED_TRACE(row.post);
+    PlanOptions options = with({"endmill:6"});
+    options.strategy = "zigzag";
+    options.cutting.feed = MmPerMin::of(3000);
+    options.post.dialect = row.post;
+    const PlanResult usual = plan_part(pocket, options);
+    options.post.corner_tolerance = 0.004;
+    const PlanResult rounded = plan_part(pocket, options);
+    EXPECT_THAT(usual.program, HasSubstr(row.usual));
+    EXPECT_THAT(rounded.program, HasSubstr(row.asked));
+    EXPECT_EQ(verdict_of(rounded.findings), Verdict::kClean) << faults_of(rounded.findings);
+    EXPECT_EQ(rounded.findings.all.feed_mm, usual.findings.all.feed_mm);
+    EXPECT_LT(rounded.findings.all.time_s, usual.findings.all.time_s);
+    options.post.corner_tolerance = 0.5;
+    const PlanResult narrowed = plan_part(pocket, options);
+    EXPECT_EQ(verdict_of(narrowed.findings), Verdict::kClean) << faults_of(narrowed.findings);
+    EXPECT_LE(narrowed.findings.all.path_tolerance_mm, 0.01);
+    EXPECT_LT(narrowed.findings.all.time_s, usual.findings.all.time_s);
+    EXPECT_THAT(
+        narrowed.part.diagnostics.items(),
+        Contains(Field(&Diagnostic::what, HasSubstr("the control may round corners by less than 0.5 mm"))));
+  }
 }
 
 }  // namespace

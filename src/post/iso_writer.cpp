@@ -82,8 +82,8 @@ class IsoWriter {
   void call_body(const Section& section, int number);
   std::string with_bodies(const std::string& head);
   void set_path_control(bool first);
-  void set_level(const Section& section);
-  void write_section(const Section& section, int subprogram);
+  void set_rounding(CutLevel level, double rounding);
+  void write_section(const Section& section, int subprogram, double rounding);
   bool repeats_cycle(const Section& section, bool new_tool);
   void end_cycle();
   void write_moves(std::span<const Move> run, const Section& section, const Tool* tap);
@@ -128,6 +128,8 @@ class IsoWriter {
     out_.word(letter, ticks, rules_.grid);
   }
 
+  /// Whether a program can be entered at the tool change that comes now: it states all modes again.
+  bool states_modes_again() const { return dialect_.entered_at_tools && held_.tool != 0; }
   bool changes_tools() const { return dialect_.changer && options_.tool_changer; }
   LengthOffset length_offset() const {
     return options_.length_offset && changes_tools() ? dialect_.length_offset : LengthOffset::kNone;
@@ -147,6 +149,7 @@ class IsoWriter {
   bool compensates_ = false;
   std::optional<OpenCycle> open_;
   CutLevel level_ = CutLevel::kMedium;
+  double rounding_ = 0;         ///< mm; the last stated rounding of corners
   std::vector<int> changes_;    ///< tools in the order of their changes
   std::size_t changed_ = 0;     ///< number of tool changes so far
   std::vector<int> called_;     ///< of each section the number of its subprogram; 0: none
@@ -165,12 +168,14 @@ std::string IsoWriter::program(const Toolpath& toolpath) {
   const auto first = std::find_if(toolpath.sections.begin(), toolpath.sections.end(),
                                   [](const Section& section) { return !section.moves.empty(); });
   if (first != toolpath.sections.end()) level_ = level_of(*first, part_);
+  rounding_ = options_.corner_tolerance_of(static_cast<std::size_t>(first - toolpath.sections.begin()));
   begin_program();
   find_shared(toolpath);
   const std::string head = out_.take();
   for (std::size_t i = 0; i < toolpath.sections.size(); ++i) {
     const Section& section = toolpath.sections[i];
-    if (!section.moves.empty()) write_section(section, called_.empty() ? 0 : called_[i]);
+    if (!section.moves.empty())
+      write_section(section, called_.empty() ? 0 : called_[i], options_.corner_tolerance_of(i));
   }
   end_program();
   return with_bodies(head);
@@ -289,13 +294,13 @@ void IsoWriter::begin_program() {
   set_path_control(true);
 }
 
-/// Blending may use half of the gouge tolerance; rounding the words needs less than the rest. Q0: no merging.
+/// Q0: no merging of lines, which would use the same tolerance again.
 void IsoWriter::set_path_control(bool first) {
   if (options_.exact_stop) {
     if (!dialect_.exact_stop.empty()) out_.line(dialect_.exact_stop);
     return;
   }
-  const double blend = options_.tol.gouge / 2 / (options_.inch ? kMmPerInch : 1);
+  const double blend = rounding_ / (options_.inch ? kMmPerInch : 1);
   if (dialect_.path_control == PathControl::kTolerance)
     out_.line(fmt::format("G64 P{} Q0", trimmed(blend, 6)));
   if (dialect_.path_control == PathControl::kCornerRounding)
@@ -308,11 +313,15 @@ void IsoWriter::set_path_control(bool first) {
   out_.line(options_.continuous ? "G64" : dialect_.exact_stop);
 }
 
-void IsoWriter::set_level(const Section& section) {
-  const CutLevel level = level_of(section, part_);
-  if (level == level_) return;
+/// Level of the cut, for controls that have a word for it, and rounding of corners, mm, from here on.
+void IsoWriter::set_rounding(CutLevel level, double rounding) {
+  const bool has_level = dialect_.path_control == PathControl::kCornerRounding,
+             is_bounded = has_level || dialect_.path_control == PathControl::kTolerance ||
+                          dialect_.path_control == PathControl::kContour;
+  const bool changes = (has_level && level != level_) || (is_bounded && rounding != rounding_);
   level_ = level;
-  if (dialect_.path_control == PathControl::kCornerRounding && !options_.exact_stop) set_path_control(false);
+  rounding_ = rounding;
+  if (changes && !options_.exact_stop) set_path_control(false);
 }
 
 /// Halts with the tool above the work and the spindle standing.
@@ -355,7 +364,7 @@ void IsoWriter::end_cycle() {
   out_.line("G80");
 }
 
-void IsoWriter::write_section(const Section& section, int subprogram) {
+void IsoWriter::write_section(const Section& section, int subprogram, double rounding) {
   const std::vector<ProgramStop> stops = stops_.before(section);
   const bool new_tool = section.tool_number > 0 && section.tool_number != held_.tool;
   if (stops.empty() && repeats_cycle(section, new_tool)) return;
@@ -367,9 +376,10 @@ void IsoWriter::write_section(const Section& section, int subprogram) {
   held_.motion = -1;  // written again, so that the program can be entered here
   if (new_tool) {
     level_ = level_of(section, part_);
+    if (states_modes_again()) rounding_ = rounding;
     change_tool(section.tool_number);
   }
-  set_level(section);
+  set_rounding(level_of(section, part_), rounding);
   set_spindle(section);
   set_coolant(section.coolant);
   if (subprogram > 0) return call_body(section, subprogram);
@@ -509,7 +519,7 @@ void IsoWriter::change_tool(int number) {
   } else {
     load_by_hand(number);
   }
-  if (dialect_.entered_at_tools && held_.tool != 0) {
+  if (states_modes_again()) {
     for (const std::string& block : later_mode_blocks(dialect_, options_.work_offset)) out_.line(block);
     set_path_control(false);
   }

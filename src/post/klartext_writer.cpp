@@ -193,9 +193,11 @@ class KlartextWriter {
 
  private:
   void begin_program(const Toolpath& toolpath);
+  double first_rounding(const Toolpath& toolpath) const;
+  void set_rounding(double rounding);
   void blank_form(const Toolpath& toolpath);
   void find_shared(const Toolpath& toolpath);
-  void write_section(const Section& section, int subprogram);
+  void write_section(const Section& section, int subprogram, double rounding);
   void write_body(const Section& section, int number);
   void call_body(const Section& section, int number);
   void shift_datum(long long x, long long y);
@@ -242,6 +244,7 @@ class KlartextWriter {
   std::string out_;
   int number_ = 0;
   ControlState held_;
+  double rounding_ = -1;  ///< mm; the last stated rounding of corners; negative: none
   std::vector<Step> steps_;
   int sections_ = 0;         ///< written so far
   std::vector<int> called_;  ///< of each section; 0: it is written where it stands
@@ -254,7 +257,8 @@ std::string KlartextWriter::program(const Toolpath& toolpath) {
   find_shared(toolpath);
   for (std::size_t i = 0; i < toolpath.sections.size(); ++i) {
     const Section& section = toolpath.sections[i];
-    if (!section.moves.empty()) write_section(section, called_.empty() ? 0 : called_[i]);
+    if (!section.moves.empty())
+      write_section(section, called_.empty() ? 0 : called_[i], options_.corner_tolerance_of(i));
   }
   end_program();
   return std::move(out_);
@@ -265,8 +269,22 @@ void KlartextWriter::begin_program(const Toolpath& toolpath) {
   for (const std::string& text : options_.header) comment(text);
   comment(options_.inch ? "UNITS: INCH" : "UNITS: MM");
   blank_form(toolpath);
+  set_rounding(first_rounding(toolpath));
+}
+
+/// mm; rounding of corners in the first section that moves.
+double KlartextWriter::first_rounding(const Toolpath& toolpath) const {
+  const auto first = std::find_if(toolpath.sections.begin(), toolpath.sections.end(),
+                                  [](const Section& section) { return !section.moves.empty(); });
+  return options_.corner_tolerance_of(static_cast<std::size_t>(first - toolpath.sections.begin()));
+}
+
+/// Rounding of corners, mm, from here on.
+void KlartextWriter::set_rounding(double rounding) {
+  if (rounding == rounding_) return;
+  rounding_ = rounding;
   block("CYCL DEF 32.0 TOLERANCE");
-  const double tolerance = options_.tol.gouge / 2 / (options_.inch ? kMmPerInch : 1);
+  const double tolerance = rounding / (options_.inch ? kMmPerInch : 1);
   block("CYCL DEF 32.1 T" + trimmed(std::max(kFinestTolerance, tolerance), 5));
 }
 
@@ -371,7 +389,7 @@ void KlartextWriter::write_bodies() {
   }
 }
 
-void KlartextWriter::write_section(const Section& section, int subprogram) {
+void KlartextWriter::write_section(const Section& section, int subprogram, double rounding) {
   write_stops(stops_.before(section));
   const bool new_tool = section.tool_number > 0 && section.tool_number != held_.tool;
   if (new_tool && held_.height) retract();
@@ -385,6 +403,7 @@ void KlartextWriter::write_section(const Section& section, int subprogram) {
   call_tool(section);
   set_spindle(section.spindle_rpm <= 0 ? 5 : section.spindle_clockwise ? 3 : 4);
   set_coolant(section.coolant);
+  set_rounding(rounding);
   if (subprogram > 0) return call_body(section, subprogram);
   approach(section.moves.front());
   const Tool* tap = tap_of(section, part_);

@@ -144,7 +144,7 @@ bool has_subprograms(const std::string& dialect) {
 }
 
 clearcut::PathControl path_control_of(const PostOptions& options) {
-  const double within = options.tol.gouge / 2;
+  const double within = options.least_corner_tolerance();
   const IsoDialect* const dialect = iso_dialect_named(options.dialect);
   if (dialect == nullptr) return {PathMode::kTolerance, within, std::nullopt};
   const PathMode stop = dialect->exact_stop_halts ? PathMode::kExactStop : PathMode::kExactPath;

@@ -40,7 +40,7 @@ double rounding_of_lines(const PostOptions& options);
 /// The same for heights, mm: half a step.
 double rounding_of_heights(const PostOptions& options);
 
-/// Permitted deviation of the control from the path, as stated in programs with these options.
+/// Permitted deviation of the control from the path: the least that programs with these options state.
 clearcut::PathControl path_control_of(const PostOptions& options);
 
 /// The program's text: LF line ends, ASCII. Same input, same bytes.

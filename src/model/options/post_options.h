@@ -76,6 +76,11 @@ struct PostOptions {
   bool tool_changer = true;         ///< false: a pause (M0) instead of M6
   bool length_offset = true;        ///< false: no G43
   bool exact_stop = false;          ///< G61 instead of blending, if the control supports G61
+  /// mm; the most by which the program may let the control round corners (G64 P, G187 E, cycle 32, CTOL); absent: half
+  /// of the gouge tolerance.
+  std::optional<double> corner_tolerance;
+  /// mm; the same of each section of the toolpath, as it was proven. Empty: `corner_tolerance` for all.
+  std::vector<double> corner_tolerances;
   /// If the control states no bound: no G61; the control rounds corners by its own setting.
   bool continuous = false;
   std::optional<int> program_number;  ///< number of the O word, with precedence over one in program_name
@@ -91,6 +96,16 @@ struct PostOptions {
   std::optional<Seconds> spindle_wait;  ///< wait after the spindle starts; default per dialect
   MmPerMin rapid = MmPerMin::of(3000);  ///< for controls whose G0 takes an F word (Marlin)
   Tolerances tol;
+
+  /// mm; rounding of corners that never costs more than half of the gouge tolerance.
+  double least_corner_tolerance() const {
+    return std::min(tol.gouge / 2, corner_tolerance.value_or(tol.gouge / 2));
+  }
+  /// mm; rounding of corners in section number `index` of the toolpath.
+  double corner_tolerance_of(std::size_t index) const {
+    if (index < corner_tolerances.size()) return corner_tolerances[index];
+    return corner_tolerance.value_or(tol.gouge / 2);
+  }
 };
 
 }  // namespace clearcut::inline model

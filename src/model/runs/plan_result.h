@@ -28,8 +28,10 @@ struct PlanResult {
   std::vector<ResolvedValue> values;          ///< every decided value, with its origin
   std::vector<StrategySelection> selections;  ///< strategies of each workingstep
   std::optional<Toolpath> earlier;            ///< earlier cuts
-  std::optional<Margin> margin;               ///< absent: not asked
-  std::optional<CopiesMade> copies;           ///< absent: one part
+  /// mm; of each section of `planned` the rounding of corners that the program states; empty: the usual one of all.
+  std::vector<double> corner_tolerances;
+  std::optional<Margin> margin;      ///< absent: not asked
+  std::optional<CopiesMade> copies;  ///< absent: one part
 };
 
 }  // namespace clearcut::inline model

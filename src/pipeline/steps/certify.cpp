@@ -18,6 +18,7 @@
 #include "link/sections/high_rapids.h"
 #include "model/results/findings.h"
 #include "model/section_names.h"
+#include "pipeline/steps/corner_tolerances.h"
 #include "pipeline/steps/program_conditions.h"
 #include "post/post.h"
 #include "post/words/comment.h"
@@ -154,8 +155,10 @@ bool same_moves(const Toolpath& a, const Toolpath& b) {
 
 /// Findings and the motion's hash are written into the header of a checked program.
 std::string post_with(const Findings* findings, const std::string& motion_hash, const Toolpath& toolpath,
-                      const Part& part, const ResolvedPlan& plan) {
+                      const Part& part, const ResolvedPlan& plan,
+                      const std::vector<double>& corner_tolerances) {
   PostOptions post_options = post_options_of(plan);
+  post_options.corner_tolerances = corner_tolerances;
   post_options.header = header(part, toolpath, findings, motion_hash, post_options.inch);
   if (post_options.program_name.empty()) post_options.program_name = part.name;
   return post::write_program(toolpath, part, post_options);
@@ -164,7 +167,7 @@ std::string post_with(const Findings* findings, const std::string& motion_hash, 
 }  // namespace
 
 std::string unchecked_program(const Toolpath& planned, const Part& part, const ResolvedPlan& plan) {
-  return post_with(nullptr, "", planned, part, plan);
+  return post_with(nullptr, "", planned, part, plan, {});
 }
 
 PostOptions post_options_of(const ResolvedPlan& plan) {
@@ -472,8 +475,10 @@ Findings check(const Part& part, const Toolpath& toolpath, const ControlTable& c
   return findings;
 }
 
-void certify(PlanResult& result, const Toolpath& planned, const ResolvedPlan& plan) {
-  result.program = unchecked_program(planned, result.part, plan);
+namespace {
+
+void certify_as_it_is(PlanResult& result, const Toolpath& planned, const ResolvedPlan& plan) {
+  result.program = post_with(nullptr, "", planned, result.part, plan, result.corner_tolerances);
   Program read = read_back(result.program, planned, plan);
   result.toolpath = std::move(read.toolpath);
   SectionNames(result.part).settle(result.toolpath);
@@ -491,9 +496,18 @@ void certify(PlanResult& result, const Toolpath& planned, const ResolvedPlan& pl
   });
 }
 
+}  // namespace
+
+void certify(PlanResult& result, const Toolpath& planned, const ResolvedPlan& plan) {
+  result.corner_tolerances = widest_corner_tolerances(planned, plan);
+  certify_as_it_is(result, planned, plan);
+  for (int tries = 1; narrow_corner_tolerances(result, planned, plan, tries); ++tries)
+    certify_as_it_is(result, planned, plan);
+}
+
 void sign(PlanResult& result, const Toolpath& planned, const ResolvedPlan& plan) {
   const std::string hash = sha256_hex(report::motion_text(result.program));
-  result.program = post_with(&result.findings, hash, planned, result.part, plan);
+  result.program = post_with(&result.findings, hash, planned, result.part, plan, result.corner_tolerances);
   const auto again = read_back(result.program, planned, plan);
   CLEARCUT_ASSERT(same_moves(again.toolpath, result.toolpath));
   CLEARCUT_ASSERT(sha256_hex(report::motion_text(result.program)) == hash);

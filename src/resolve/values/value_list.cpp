@@ -286,6 +286,8 @@ void list_post(PlanList& list, const PostOptions& post) {
   list.add("tool-change", text_of(post.tool_changer), "", !post.tool_changer, "yes");
   list.add("length-offset", text_of(post.length_offset), "", !post.length_offset, "yes");
   list.add("exact-stop", text_of(post.exact_stop), "", post.exact_stop, "no");
+  list.add("corner-tolerance", trimmed(post.corner_tolerance.value_or(post.tol.gouge / 2), 6), "mm",
+           post.corner_tolerance.has_value(), "half of the gouge tolerance");
   list.add("spindle-wait", post.spindle_wait ? trimmed(post.spindle_wait->seconds(), 3) : "the controller's",
            post.spindle_wait ? "s" : "", post.spindle_wait.has_value(), "by controller");
 }
