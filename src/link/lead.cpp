@@ -86,6 +86,7 @@ class LeadSearch {
         legal_(legal),
         area_(legal),
         overlap_(std::min(shape.overlap, length(path))),
+        slot_(shape.slot),
         places_(places_on(path, shape.from_corners)) {}
 
   /// The first fitting lead: arcs of radius `size` mm or, if there is an `angle`, lines of length `size`; smaller ones begin no
@@ -97,7 +98,7 @@ class LeadSearch {
         for (const double side : {1.0, -1.0}) {
           const auto in = angle ? line(place, tried, side, *angle, true) : arc(place, tried, side, true);
           const auto out = angle ? line(end, tried, side, *angle, false) : arc(end, tried, side, false);
-          if (in && out) return Lead{*in, *out, place.along, overlap_};
+          if (in && out && is_in_slot(in->from)) return Lead{*in, *out, place.along, overlap_};
         }
       }
     }
@@ -105,6 +106,13 @@ class LeadSearch {
   }
 
  private:
+  /// Beside an outer corner the beginning of a lead lies farther from the pass than from the line of its edge.
+  bool is_in_slot(Vec2 p) const {
+    return slot_ == HUGE_VAL || std::any_of(path_.begin(), path_.end(), [&](const Edge& edge) {
+             return distance(edge, p) <= slot_ + kSamePlaceMm;
+           });
+  }
+
   std::optional<Edge> arc(const Place& place, double radius, double side, bool in) const {
     const Vec2 center = place.point + left_of(place.heading) * (side * radius);
     if (!holds_disc(legal_, center, radius)) return std::nullopt;
@@ -127,7 +135,7 @@ class LeadSearch {
   const Path& path_;
   const Regions& legal_;
   LegalArea area_;
-  double overlap_;
+  double overlap_, slot_;
   std::vector<Place> places_;
 };
 

@@ -1,6 +1,7 @@
 // Leads: arcs and lines into and out of a closed pass, so that no mark is left on the wall at its beginning.
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 #include "base/units.h"
@@ -17,6 +18,8 @@ struct LeadShape {
   double from_corners = 0;
   /// mm; earlier steps have cut down to this far beside the pass. Nearer to it a lead goes down into what they left.
   double room = 0;
+  double slot =
+      HUGE_VAL;  ///< mm beside the pass where the slot of earlier steps ends: no lead begins farther out
 };
 
 struct Lead {

@@ -86,6 +86,30 @@ TEST(Lead, BeginsWhereEarlierStepsHaveCutWhereItHasRoomFor) {
   }
 }
 
+/// Beyond the slot material stands: beside an outer corner a lead of the same size begins farther from the pass than beside an edge.
+TEST(Lead, BeginsNoFartherOutThanTheSlot) {
+  const Region inside = rectangle(30, 20);
+  Path around;  // counter-clockwise along the same edges, with the legal area outside
+  for (auto edge = inside.outer().rbegin(); edge != inside.outer().rend(); ++edge)
+    around.push_back(edge->reversed());
+  const Loop far = loop_from_points(std::vector<Vec2>{{-20, -20}, {50, -20}, {50, 40}, {-20, 40}});
+  const Region legal = Region::from_valid_loops(far, {around});
+  LeadShape shape{0.3 * std::sqrt(2.0), Radians::of_degrees(45), 0};
+  shape.room = 0.3;
+  const auto to_pass = [&](const Lead& lead) {
+    double least = HUGE_VAL;
+    for (const Edge& edge : around) least = std::min(least, distance(edge, lead.in.from));
+    return least;
+  };
+  const auto anywhere = lead_for(around, {legal}, shape);
+  ASSERT_TRUE(anywhere);
+  EXPECT_GT(to_pass(*anywhere), 0.31);
+  shape.slot = 0.3;
+  const auto in_slot = lead_for(around, {legal}, shape);
+  ASSERT_TRUE(in_slot);
+  EXPECT_NEAR(to_pass(*in_slot), 0.3, 1e-6);
+}
+
 TEST(Lead, NoneWhereNeitherFits) {
   const Region legal = rectangle(30, 0.1);
   EXPECT_FALSE(lead_for(legal.outer(), {legal}, {4, Radians::of_degrees(90), 0}));

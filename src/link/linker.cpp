@@ -251,6 +251,7 @@ std::optional<Lead> Linker::lead_for_pass(const Path& path, const Candidate& nex
   const LayerWork& where = layer(next.item);
   LeadShape shape = options_.lead;
   shape.room = where.layer().cleared_beyond.value_or(0);
+  if (!options_.may_plunge) shape.slot = where.layer().cleared_to.value_or(HUGE_VAL);
   auto lead = lead_for(path, where.layer().legal, shape);
   if (lead && next.stay_down && !where.legal().holds_line(moves_.at(), lead->in.from)) lead.reset();
   if (lead && !options_.may_plunge && plunges_into_material(*lead, next)) lead.reset();
@@ -315,10 +316,15 @@ bool Linker::is_cleared_by_earlier_steps(Vec2 p, std::size_t item) const {
   const LayerPasses& passes = layer(item).layer();
   if (!passes.cleared_beyond) return false;
   const double least = *passes.cleared_beyond - kSamePlaceMm;
-  return std::all_of(passes.passes.begin(), passes.passes.end(), [&](const Pass& pass) {
-    return std::all_of(pass.path.begin(), pass.path.end(),
-                       [&](const Edge& edge) { return distance(edge, p) >= least; });
+  const double most = options_.may_plunge ? HUGE_VAL : passes.cleared_to.value_or(HUGE_VAL) + kSamePlaceMm;
+  const bool is_in_slot = std::any_of(passes.passes.begin(), passes.passes.end(), [&](const Pass& pass) {
+    return std::any_of(pass.path.begin(), pass.path.end(),
+                       [&](const Edge& edge) { return distance(edge, p) <= most; });
   });
+  return is_in_slot && std::all_of(passes.passes.begin(), passes.passes.end(), [&](const Pass& pass) {
+           return std::all_of(pass.path.begin(), pass.path.end(),
+                              [&](const Edge& edge) { return distance(edge, p) >= least; });
+         });
 }
 
 void Linker::link_to(Vec2 p) {

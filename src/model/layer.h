@@ -60,6 +60,7 @@ struct LayerPasses {
   double residual = 0;
   std::vector<Pass> passes;
   std::optional<double> cleared_beyond;  ///< mm, as of Layer
+  std::optional<double> cleared_to;      ///< mm, as of Layer
   /// Height of the top of walls above z_top that are no farther away than the layer's walls; absent: there are none.
   std::optional<double> wall_top;
   bool outside_in = false;    ///< rings come before the rings inside them
@@ -90,6 +91,8 @@ struct Layer {
   /// mm; earlier steps have cleared everything that the cutter touches this far or farther from the passes along the walls.
   /// Absent: not known.
   std::optional<double> cleared_beyond;
+  /// mm beside the passes to which earlier steps have cut: absent where they have cleared all beyond. A slot ends there.
+  std::optional<double> cleared_to;
   /// mm; earlier steps have cut a slot that leaves the cutter so much room beside the passes of a profile.
   double room_beside = 0;
 };

@@ -100,6 +100,7 @@ std::vector<LayerPasses> passes_of(const StepWork& work, const Feature& feature,
                                         : strategy(layer.layer));
     passes.back().wall_top = work.wall_top;
     passes.back().cleared_beyond = layer.layer.cleared_beyond;
+    passes.back().cleared_to = layer.layer.cleared_to;
     if (work.meets_others && plan.leaves_nothing && candidate.as_rival)
       plan.leaves_nothing = plan::leaves_nothing(passes.back(), layer.layer.tool_radius);
     if (layer.rest) passes.back().residual = std::max(passes.back().residual, kResidualOfOthers);

@@ -218,6 +218,8 @@ void add_room_of_earlier_steps(Layer& layer, const Workingstep& step, const Part
     const double stock = std::max(0.0, stock_between(earlier, step));
     layer.cleared_beyond = std::min(layer.cleared_beyond.value_or(stock), stock);
     layer.room_beside = std::max(layer.room_beside, stock);
+    if (feature_of(part, earlier).profile)
+      layer.cleared_to = std::max(layer.cleared_to.value_or(stock), stock);
   });
 }
 
