@@ -124,7 +124,7 @@ TEST(Golden, EveryDialectWritesItsProgram) {
       checked += 2;
     }
   }
-  EXPECT_EQ(checked, 104);
+  EXPECT_EQ(checked, 112);
 }
 
 TEST(Golden, NoFileIsForgotten) {

@@ -86,7 +86,8 @@ bool narrow_corner_tolerances(PlanResult& result, const Toolpath& planned, const
   const double least = post_options_of(plan).least_corner_tolerance();
   std::vector<double>& roundings = result.corner_tolerances;
   const auto is_wide = [&](double rounding) { return rounding > least; };
-  if (verdict_of(result.findings) != Verdict::kFaulty || std::ranges::none_of(roundings, is_wide))
+  if (verdict_of(result.findings) != Verdict::kFaulty ||
+      std::none_of(roundings.begin(), roundings.end(), is_wide))
     return false;
   const std::map<int, double> excesses = excesses_of(result.findings, plan);
   bool any = false;
@@ -100,7 +101,7 @@ bool narrow_corner_tolerances(PlanResult& result, const Toolpath& planned, const
     roundings[i] = narrower(roundings[i], excess, least);
     any = true;
   }
-  if (!any) std::ranges::fill(roundings, least);
+  if (!any) std::fill(roundings.begin(), roundings.end(), least);
   return true;
 }
 
@@ -111,7 +112,7 @@ void tell_corner_tolerances(const Toolpath& planned, const ResolvedPlan& plan, P
     const Section& section = planned.sections[i];
     if (section.moves.empty() || stated >= *plan.post.corner_tolerance) continue;
     std::string told = fmt::format("{} {}", section.label, trimmed(stated, 5));
-    if (std::ranges::find(less, told) == less.end()) less.push_back(std::move(told));
+    if (std::find(less.begin(), less.end(), told) == less.end()) less.push_back(std::move(told));
   }
   if (less.empty()) return;
   result.part.diagnostics.note(

@@ -7,6 +7,9 @@
 #include <set>
 #include <sstream>
 #include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace clearcut::test_support {
 namespace {
@@ -53,7 +56,8 @@ bool is_cycle(int motion) {
 
 class Way {
  public:
-  explicit Way(double sagitta) : sagitta_(sagitta) {}
+  /// `by_hand`: the program has no M6, and its T words say which tool is put in.
+  Way(double sagitta, bool by_hand) : sagitta_(sagitta), by_hand_(by_hand) {}
 
   void take(const Block& block, const std::string& line) {
     ++at_.line;
@@ -80,6 +84,7 @@ class Way {
 
   void set_states(const Block& block, const std::string& line) {
     if (block.words.count('T') > 0) selected_ = static_cast<int>(block.words.at('T'));
+    if (by_hand_) at_.tool = selected_;
     if (block.words.count('F') > 0) feed_ = block.words.at('F');
     if (block.words.count('S') > 0) speed_ = block.words.at('S');
     for (const int m : block.m) {
@@ -199,6 +204,7 @@ class Way {
   }
 
   double sagitta_;
+  bool by_hand_;
   TipWay at_{0, true, 0, 0, false, 0, 0, 0, 100, 0, 0, 100};  ///< its end: where the tip is
   int motion_ = 0, selected_ = 0, direction_ = 0;
   double feed_ = 0, speed_ = 0;
@@ -209,9 +215,14 @@ class Way {
 }  // namespace
 
 std::vector<TipWay> ways_of(const std::string& program, double sagitta) {
-  Way way(sagitta);
+  std::vector<std::pair<Block, std::string>> blocks;
   std::istringstream lines(program);
-  for (std::string line; std::getline(lines, line);) way.take(block_of(line), line);
+  for (std::string line; std::getline(lines, line);) blocks.emplace_back(block_of(line), line);
+  const bool has_change = std::any_of(blocks.begin(), blocks.end(), [](const auto& one) {
+    return std::find(one.first.m.begin(), one.first.m.end(), 60) != one.first.m.end();
+  });
+  Way way(sagitta, !has_change);
+  for (const auto& [block, line] : blocks) way.take(block, line);
   return way.done;
 }
 
