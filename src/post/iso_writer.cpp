@@ -287,6 +287,7 @@ void IsoWriter::begin_program() {
   }
   out_.title(number, options_.program_name);
   for (const std::string& text : options_.header) out_.comment(text);
+  if (dialect_.named_in_header) out_.comment("FOR " + std::string(dialect_.name));
   out_.comment(options_.inch ? "UNITS: INCH" : "UNITS: MM");
   const std::string_view units = options_.inch ? dialect_.inches : dialect_.metric;
   if (!units.empty()) out_.line(units);

@@ -196,6 +196,7 @@ constexpr std::array kDialects{
     // by hand measures its length: none is written.
     IsoDialect{.name = "grblhal",
                .line_length = 255,
+               .named_in_header = true,
                .fractional_offsets = true,
                .exact_stop = {},
                .spindle_wait = 2,

@@ -92,6 +92,7 @@ struct IsoDialect {
   std::size_t line_length = 80;
   /// Length of a block without its blanks, as counted by senders; 0: length of the line.
   std::size_t packed_length = 0;
+  bool named_in_header = false;  ///< a comment names the control, where its words are those of others, too
   std::string_view metric = "G21";
   std::string_view inches = "G20";
   std::string_view safe_start = "G17 G40 G49 G54 G80 G90 G91.1 G94";

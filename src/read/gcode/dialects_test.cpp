@@ -125,6 +125,7 @@ TEST(GcodeDialects, CommentsNameTheControl) {
   EXPECT_EQ(control("%\nO0001 (PLATE)\n(HAAS VF2)" + cut), Dialect::kHaas);
   EXPECT_EQ(control("%\nO0001 (PLATE)\n(MAZAK)" + cut), Dialect::kMazak);
   EXPECT_EQ(control("(grblHAL 1.1f)\nT1 M6\nG81 X1. Y1. Z-1. R1. F100.\nG80" + cut), Dialect::kGrblHal);
+  EXPECT_EQ(control("(FOR GRBLHAL)\nT1 M6" + cut), Dialect::kGrblHal);
   // Two names, words that Grbl has not, and words of one control are stronger.
   EXPECT_EQ(control("%\nO0001 (FROM HAAS TO MAZAK)" + cut), Dialect::kFanuc);
   EXPECT_EQ(control("; grbl\nG81 X1. Y1. Z-1. R1. F100.\nG80" + cut), Dialect::kLinuxCnc);
