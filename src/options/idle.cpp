@@ -447,13 +447,9 @@ std::string relieves_no_corner(const Situation& at) {
 }
 
 std::string plans_corners_otherwise(const Situation& at) {
-  const auto by_deviation = [](MotionPlanner planner) {
-    return planner == MotionPlanner::kGrbl || planner == MotionPlanner::kMarlin;
-  };
-  const std::string& control = at.plan.post.dialect;
-  const bool uses = at.plan.machine.planner ? by_deviation(*at.plan.machine.planner)
-                                            : control == "grbl" || control == "marlin";
-  return unless(uses, "the control plans its corners by another rule; Grbl and Marlin by junction deviation");
+  const bool uses = at.planner == MotionPlanner::kGrbl || at.planner == MotionPlanner::kMarlin;
+  return unless(
+      uses, "the control plans its corners by another rule; Grbl, grblHAL and Marlin by junction deviation");
 }
 
 std::string bears_on_no_feeds(const Situation& at) {

@@ -1,9 +1,11 @@
 // Reasons why an option had no effect in a finished plan; the rows of the table of options refer to these functions.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "model/machine.h"
 #include "model/move.h"
 #include "model/options/resolved_plan.h"
 #include "model/results/strategy_selection.h"
@@ -18,6 +20,7 @@ struct Situation {
   const PlanOptions& asked;
   const Toolpath& toolpath;  ///< as planned, before it was written
   const std::vector<StrategySelection>& selections;
+  std::optional<MotionPlanner> planner;  ///< of the machine, else of the control
 };
 
 /// The kind of input of a part.

@@ -295,7 +295,8 @@ std::vector<IdleOption> options_for_others(const ResolvedPlan& plan, const PlanO
 std::vector<IdleOption> options_without_effect(const PlanResult& result, const Toolpath& planned,
                                                const ResolvedPlan& plan, const PlanOptions& options) {
   const Asked asked{options, {}};
-  const Situation situation{plan, options, planned, result.selections};
+  const auto planner = plan.machine.planner ? plan.machine.planner : planner_of_control(plan);
+  const Situation situation{plan, options, planned, result.selections, planner};
   return stated_without_effect(asked, [&](const Row& row) {
     if (row.group == Group::kController && row.name != "post")
       return idle(idle_in_program(row, result, planned, plan, asked));

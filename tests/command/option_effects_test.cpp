@@ -11,6 +11,7 @@
 #include "base/file.h"
 #include "options/row.h"
 #include "support/command.h"
+#include "support/controllers.h"
 
 namespace clearcut {
 namespace {
@@ -284,6 +285,16 @@ TEST(OptionEffects, OptionsForOtherWorkAreRefusedWithWhatTheyServe) {
   EXPECT_THAT(refusal("profile", "--strategy=zigzag"), testing::HasSubstr("no pocket, slot, step or face"));
   EXPECT_THAT(refusal("profile", "--dogbones=corner"), testing::HasSubstr("inside corner"));
   EXPECT_THAT(refusal("line", "--finish=walls"), testing::HasSubstr("has no effect"));
+}
+
+TEST(OptionEffects, JunctionDeviationServesTheControlsThatPlanByIt) {
+  const ScratchFolder folder;
+  for (const test_support::Controller& one : test_support::controllers()) {
+    auto words = words_for("outline", folder);
+    words.insert(words.end(), {"--post", std::string(one.name), "--junction-deviation", "0.03"});
+    const Outcome outcome = outcome_of(folder, words);
+    EXPECT_EQ(outcome.exit_code < 2, one.junction_deviation) << one.name << ": " << outcome.message;
+  }
 }
 
 /// Objectives of load choose among plans on each input, or are refused.

@@ -12,6 +12,7 @@ namespace clearcut::test_support {
 struct Controller {
   std::string_view name;
   std::size_t line_length = 80;                     ///< of the longest line that it takes
+  bool junction_deviation = false;                  ///< its planner slows down at corners by it
   bool always_point = false;                        ///< a coordinate without a point is in increments
   std::vector<std::string_view> never = {};         ///< what no block of its programs contains
   std::string_view mist_condition = {};             ///< empty: every such control has mist
