@@ -18,8 +18,8 @@ struct LeadShape {
   double from_corners = 0;
   /// mm; earlier steps have cut down to this far beside the pass. Nearer to it a lead goes down into what they left.
   double room = 0;
-  double slot =
-      HUGE_VAL;  ///< mm beside the pass where the slot of earlier steps ends: no lead begins farther out
+  /// mm beside the pass where the slot of earlier steps ends: no lead begins farther out.
+  double slot = HUGE_VAL;
 };
 
 struct Lead {

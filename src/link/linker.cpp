@@ -317,14 +317,10 @@ bool Linker::is_cleared_by_earlier_steps(Vec2 p, std::size_t item) const {
   if (!passes.cleared_beyond) return false;
   const double least = *passes.cleared_beyond - kSamePlaceMm;
   const double most = options_.may_plunge ? HUGE_VAL : passes.cleared_to.value_or(HUGE_VAL) + kSamePlaceMm;
-  const bool is_in_slot = std::any_of(passes.passes.begin(), passes.passes.end(), [&](const Pass& pass) {
-    return std::any_of(pass.path.begin(), pass.path.end(),
-                       [&](const Edge& edge) { return distance(edge, p) <= most; });
-  });
-  return is_in_slot && std::all_of(passes.passes.begin(), passes.passes.end(), [&](const Pass& pass) {
-           return std::all_of(pass.path.begin(), pass.path.end(),
-                              [&](const Edge& edge) { return distance(edge, p) >= least; });
-         });
+  double nearest = HUGE_VAL;
+  for (const Pass& pass : passes.passes)
+    for (const Edge& edge : pass.path) nearest = std::min(nearest, distance(edge, p));
+  return least <= nearest && nearest <= most;
 }
 
 void Linker::link_to(Vec2 p) {

@@ -213,12 +213,14 @@ void ModeWords::select_tool(const Block& block) {
 
 /// A changer stops the spindle and leaves it so: the M3 counts that comes in this block or later.
 void ModeWords::load_tool() {
-  const bool changes = control_.builder.drive.tool != control_.next_tool;
-  if (control_.rules.changer) control_.turn_spindle(5);
-  if (changes && !control_.rules.change_needs.empty())
-    control_.condition("m6", std::string(control_.rules.change_needs));
-  if (!control_.rules.changer)
+  if (!control_.rules.changer) {
     control_.condition("m6", "M6 is no word of the control; what sends the program changes the tool");
+  } else {
+    const bool changes = control_.builder.drive.tool != control_.next_tool;
+    if (changes && !control_.rules.change_needs.empty())
+      control_.condition("m6", std::string(control_.rules.change_needs));
+    control_.turn_spindle(5);
+  }
   control_.put_tool_in();
   control_.changer = true;
   control_.builder.change_tool(control_.next_tool, false, control_.line);

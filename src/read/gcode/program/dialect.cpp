@@ -18,7 +18,7 @@ constexpr int kGrblWords[] = {0,   10,  20,  30,  40,  100, 170, 180, 190, 200, 
                               300, 301, 382, 383, 384, 385, 400, 431, 490, 530, 540, 550, 560,
                               570, 580, 590, 610, 800, 900, 910, 911, 920, 921, 930, 940};
 
-// grblHAL ("Supported G-Codes" of its README) has these besides; G50 and G51 scale about the zero, as Mach's do. Splines (G5) and words of
+// grblHAL: "Supported G-Codes" of its README. G50 and G51 scale about the zero, as Mach's do. Splines (G5) and words of
 // lathes are left out.
 constexpr int kGrblHalWords[] = {0,   10,  20,  30,  40,  100, 170, 180, 190, 200, 210, 280, 281, 300,
                                  301, 382, 383, 384, 385, 400, 430, 431, 432, 490, 500, 510, 530, 540,
