@@ -204,7 +204,11 @@ std::string idle_in_program(const Row& row, const PlanResult& result, const Tool
   if (row.name == "corner-tolerance") own.corner_tolerances = result.corner_tolerances;
   const bool is_same = post::write_program(planned, result.part, own) ==
                        post::write_program(planned, result.part, other.plan.post);
-  return is_same ? "the program for " + own.dialect + " is the same without it" : "";
+  if (!is_same) return "";
+  std::string reason = "the program for " + own.dialect + " is the same without it";
+  if (row.name == "corner-tolerance" && !result.corner_tolerances.empty())
+    reason += ", as rounding its corners by more saves no time or leaves too much";
+  return reason;
 }
 
 bool is_stated(const Source* source) {

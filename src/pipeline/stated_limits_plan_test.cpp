@@ -200,5 +200,18 @@ TEST(StatedLimits, CornersAreRoundedByAsMuchAsIsProven) {
   }
 }
 
+/// At 60 mm/min no corner is slowed down for, so that rounding it by more saves nothing: the refusal says so.
+TEST(StatedLimits, ARoundingThatSavesNothingIsRefusedWithTheReason) {
+  PlanOptions options = with({"endmill:6"});
+  options.strategy = "contour";
+  options.cutting.feed = MmPerMin::of(60);
+  options.post.dialect = "linuxcnc";
+  options.post.corner_tolerance = 0.004;
+  options.sources.set("corner-tolerance", {Origin::kUser, "--corner-tolerance"});
+  EXPECT_THAT(
+      [&] { plan_part(drawn(box("POCKET_D2", 0, 0, 40, 20)), options); },
+      ThrowsMessage<InputError>(HasSubstr("rounding its corners by more saves no time or leaves too much")));
+}
+
 }  // namespace
 }  // namespace clearcut::pipeline
