@@ -22,7 +22,6 @@ class BlockPrinter {
   /// Adds a word to the block begun.
   void word(std::string_view text);
   void word(char letter, long long ticks, const PrintGrid& grid);
-  bool in_block() const { return !block_.empty(); }
   /// Characters of the block begun, without its blanks.
   std::size_t packed_size() const;
   /// Ends the block, without its spaces if the line would be too long for the control.

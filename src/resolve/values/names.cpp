@@ -82,10 +82,6 @@ const char* name_of(CutDirection direction) {
   return direction == CutDirection::kClimb ? "climb" : "conventional";
 }
 
-FeedBy feed_by_named(const std::string& name, const std::string& place) {
-  return named(std::array{FeedBy::kChip, FeedBy::kRemoval}, name, place);
-}
-
 const char* name_of(FeedBy by) {
   return by == FeedBy::kChip ? "chip" : "removal";
 }

@@ -28,8 +28,7 @@ CutDirection direction_named(const std::string& name, const std::string& place);
 /// "off", "flood", "mist", "both".
 Coolant coolant_named(const std::string& name, const std::string& place);
 const char* name_of(CutDirection direction);
-/// "chip", "removal". Throws InputError at `place`.
-FeedBy feed_by_named(const std::string& name, const std::string& place);
+/// "chip", "removal".
 const char* name_of(FeedBy by);
 
 /// "inside-out", "outside-in". Throws InputError at `place`.

@@ -3,7 +3,19 @@
 namespace clearcut::read::stepnc {
 namespace {
 
+enum class Treatment {
+  kPlanned,  ///< read, and in the program
+  kSaid,     ///< not in the program; named in the diagnostics or in the verdict
+  kRefused   ///< leaves out the workingstep that needs it
+};
 using enum Treatment;
+
+/// One kind of entity; the rows are in the order of the documentation.
+struct ListedEntity {
+  std::string_view keyword;
+  Treatment treatment = kPlanned;
+  const char* reason = "";  ///< what is said of it, or what to do instead
+};
 
 constexpr const char* kByHand = "not carried out: the condition `not-followed`";
 constexpr const char* kFreeForm = "it is a free-form surface; write flat parts of it as pockets or faces";
@@ -223,10 +235,6 @@ std::string rows_with_reason(Treatment treatment, const char* heading) {
 }
 
 }  // namespace
-
-std::span<const ListedEntity> listed_entities() {
-  return kListed;
-}
 
 void refuse_listed(const Node& node) {
   for (const ListedEntity& one : kListed)
