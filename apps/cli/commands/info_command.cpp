@@ -25,6 +25,10 @@ std::string extent(const Box& box) {
                      trimmed(box.max.y, 3));
 }
 
+std::string counted(std::size_t count, const char* what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
 std::string shape(const Feature& feature) {
   std::size_t islands = 0, edges = 0, arcs = 0;
   for (const auto& region : feature.target) {
@@ -34,8 +38,8 @@ std::string shape(const Feature& feature) {
       arcs += edge.is_arc() ? 1u : 0u;
     }
   }
-  return fmt::format("{} region{}, {} island{}, {} edges ({} arcs)", feature.target.size(),
-                     feature.target.size() == 1 ? "" : "s", islands, islands == 1 ? "" : "s", edges, arcs);
+  return fmt::format("{}, {}, {} ({})", counted(feature.target.size(), "region"), counted(islands, "island"),
+                     counted(edges, "edge"), counted(arcs, "arc"));
 }
 
 void print_feature(const Feature& feature, double largest_cutter) {
@@ -49,8 +53,8 @@ void print_feature(const Feature& feature, double largest_cutter) {
 }
 
 void print_part(const Part& part) {
-  print_line(fmt::format("{}: {} features, {} workingsteps, {} tools", part.source_file, part.features.size(),
-                         part.workplan.size(), part.tools.size()));
+  print_line(fmt::format("{}: {}, {}, {}", part.source_file, counted(part.features.size(), "feature"),
+                         counted(part.workplan.size(), "workingstep"), counted(part.tools.size(), "tool")));
   if (part.stock) {
     print_line(fmt::format("stock {} z {}..{}", extent(part.stock->plan), trimmed(part.stock->z_bottom, 3),
                            trimmed(part.stock->z_top, 3)));
@@ -78,7 +82,8 @@ void print_overview(const std::string& file, const DrawingOverview& overview) {
   Box all;
   for (const auto& one : overview.outlines) all.add(one.box);
   print_line(fmt::format(
-      "{}: {} outlines, {} lines to follow{}", file, overview.outlines.size(), overview.lines,
+      "{}: {}, {} to follow{}", file, counted(overview.outlines.size(), "outline"),
+      counted(overview.lines, "line"),
       all.empty() ? "" : ", " + trimmed(all.width(), 3) + " x " + trimmed(all.height(), 3) + " mm"));
   for (std::size_t i = 0; i < std::min(kMost, overview.outlines.size()); ++i) {
     const auto& one = overview.outlines[i];

@@ -326,7 +326,8 @@ bool apply_outline_rules(std::vector<ShapedGroup>& groups, std::vector<Outline>&
     if (names_layer(rule, layers) || !rule.role) continue;
     const auto chosen = chosen_by(rule, outlines, groups);
     if (!chosen) {
-      if (rule.asked && rule.pattern.substr(0, 1) != "#") refuse_unmatched(rule, layers);
+      const bool has_drawn = !layers.empty() || !outlines.empty();
+      if (has_drawn && rule.asked && rule.pattern.substr(0, 1) != "#") refuse_unmatched(rule, layers);
       continue;
     }
     any = true;
