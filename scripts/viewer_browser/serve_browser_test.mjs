@@ -78,7 +78,7 @@ async function drives(page) {
     'a click on one asks what it is for');
   await page.keyboard.press('Escape');
   await page.evaluate('document.getElementById("outlines-box").open = true');
-  await page.selectOption('#plan-list li:last-child select', 'tools');
+  check(await page.inputValue('#plan-list li:last-child select') === 'tools', 'a tool library is known by what it says');
   await page.click('#show-drawing');
   await page.selectOption('[aria-label="What outline 3 is for"]', 'ignore');
   check(await page.getAttribute('#drawing path[data-index="2"]', 'class') === 'ignore', 'what it is for is seen in the drawing');

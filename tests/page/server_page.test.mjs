@@ -70,11 +70,32 @@ describe('the job file', () => {
 });
 
 describe('files and results', () => {
-  test('a name says what a file is for, until that is taken', () => {
-    const likely =
-      `(names => { const list = listOfFiles('plan', ['part', 'program', 'tools', 'file'], () => {}); list.show = () => {}; list.add(names.map(name => ({ name }))); return list.entries.map(one => one.role); })`;
-    assert.deepEqual(ask(`${likely}(['a.DXF', 'b.dxf', 'c.ngc', 'd.tbl', 'e.xyz'])`), ['part', 'file', 'program', 'tools', 'file']);
-    assert.deepEqual(['b-F_Cu.gbr', 'b-PTH.drl', 'B.GKO'].map(name => ask(`${likely}(['${name}'])`)), [['part'], ['part'], ['part']]);
+  /** What files come to be for that are chosen one after the other, each a name and what it says. @type {(files: string[][], roles?: string[]) => Promise<unknown>} */
+  async function likely(files, roles = ['part', 'program', 'tools', 'machine', 'file']) {
+    ask(
+      `((files, roles) => { globalThis.listed = listOfFiles('plan', roles, () => {}); listed.show = () => { listed.isRead = true; }; listed.add(files.map(([name, text]) => new File([text ?? ''], name))); })(${
+        JSON.stringify(files)}, ${JSON.stringify(roles)})`);
+    while (!ask('listed.isRead'))
+      await new Promise(resolve => {
+        setTimeout(resolve, 1);
+      });
+    return ask('listed.entries.map(one => one.role)');
+  }
+  test('a name says what a file is for, until that is taken', async () => {
+    assert.deepEqual(await likely([['a.DXF'], ['b.dxf'], ['c.ngc'], ['d.tbl'], ['e.xyz']]), ['part', 'file', 'program', 'tools', 'file']);
+    for (const name of ['b-F_Cu.gbr', 'b-PTH.drl', 'B.GKO']) assert.deepEqual(await likely([[name]]), ['part']);
+  });
+  test('where names leave it open, what a file says shows it', async () => {
+    const library = '# ours\n[[tool]]\nnumber = 1\n', machine = 'name = "mill"\nrapid = 4000\n', job = '[part]\nfile = "a.dxf"\n' + library;
+    const fusion = '{"data": [{"geometry": {"CSP": false, "DC": 6}}]}', outline = '{"outer": [[0, 0]]}',
+          plan = ['part', 'tools', 'machine', 'file'];
+    assert.deepEqual(await likely([['t.toml', library], ['m.toml', machine], ['a.dxf']], plan), ['tools', 'machine', 'part']);
+    assert.deepEqual(await likely([['t.toml', library], ['m.toml', machine], ['j.toml', job]], plan), ['file', 'file', 'part']);
+    assert.deepEqual(await likely([['t.json', fusion], ['o.json', outline], ['u.toml', library]], plan), ['tools', 'part', 'file']);
+    for (const [name, text] of [
+           ['grbl.txt', '$0=10\r\n$110=5000.000\r\n'], ['mill.ini', '[EMC]\n[KINS]\n'], ['m503.txt', 'echo:  M203 X500.00\n']])
+      assert.deepEqual(await likely([[name, text]], plan), ['machine']);
+    assert.deepEqual(await likely([['a.txt', 'M203 X5\nG1 X1'], ['t.toml', library]], ['program', 'part', 'file']), ['program', 'file']);
   });
   test('results of a kind are one, or one for each set-up', () => {
     assert.deepEqual(ask(`resultsOf({ program: '/p', report: '/r' }, 'program')`), [['', '/p']]);

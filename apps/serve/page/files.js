@@ -5,6 +5,15 @@ const partKinds = ['dxf', 'svg', 'step', 'stp', 'p21', 'stpnc', '238', 'json', '
 const boardKinds = ['gbr', 'ger', 'pho', 'gtl', 'gbl', 'gts', 'gbs', 'gto', 'gbo', 'gtp', 'gbp', 'gko', 'gm1', 'gml', 'drl', 'xln', 'exc'];
 const programKinds = ['ngc', 'nc', 'gcode', 'tap', 'cnc', 'h', 'mpf', 'txt', 'gc', 'eia', 'min'];
 const libraryKinds = ['fctb', 'fctl', 'tbl'];
+/** What files are for whose endings leave it open, by what they say; the first row that fits counts. @type {{ kinds: string[], role: FileRole, says: RegExp }[]} */
+const toldByText = [
+  {kinds: ['toml'], role: 'part', says: /^\s*(\[part\]|\[\[setup\]\])/m}, {kinds: ['toml'], role: 'tools', says: /^\s*\[\[tool\]\]/m},
+  {kinds: ['toml'], role: 'machine', says: /^\s*(rapid|acceleration|junction_deviation|max_feed|max_spindle|travel)\s*=/m},
+  {kinds: ['json'], role: 'tools', says: /"geometry"\s*:\s*\{[^}]*"DC"/},            // Fusion
+  {kinds: ['ini'], role: 'machine', says: /^\s*\[(TRAJ|KINS|AXIS_\w|JOINT_\d)\]/m},  // LinuxCNC
+  {kinds: ['txt'], role: 'machine', says: /^\s*(\$110\s*=|(echo:)?\s*M203 X)/m}      // what Grbl answers to $$, Marlin to M503
+];
+const mostRead = 65536;  // bytes of a file
 /** @type {(name: string) => string} */
 const kindOf = name => name.slice(name.lastIndexOf('.') + 1).toLowerCase();
 
@@ -34,21 +43,28 @@ class ChosenFiles {
     });
   }
 
-  /** @type {(files: Iterable<File>) => void} */
-  add(files) {
-    for (const file of files) {
+  /** @type {(files: Iterable<File>) => Promise<void>} */
+  async add(files) {
+    const all = [...files], texts = await Promise.all(all.map(file => file.slice(0, mostRead).text()));
+    all.forEach((file, i) => {
       if (this.roles.length === 1) this.entries = [];
       this.entries = this.entries.filter(entry => entry.file.name !== file.name);
-      this.entries.push({file, role: this.likelyRole(file.name)});
+      this.entries.push({file, role: this.likelyRole(file.name, texts[i])});
+    });
+    // A job names its library and its machine itself; they are only beside it.
+    if (kindOf(this.of('part')?.name ?? '') === 'toml') {
+      for (const entry of this.entries)
+        if (all.includes(entry.file) && ['tools', 'machine'].includes(entry.role)) entry.role = 'file';
     }
     this.show();
   }
 
-  /** What a file of that name is for, where its role is not taken. @type {(name: string) => FileRole} */
-  likelyRole(name) {
-    const kind = kindOf(name);
+  /** What a file that is called and begins like this is for, where its role is not taken. @type {(name: string, text: string) => FileRole} */
+  likelyRole(name, text) {
+    const kind = kindOf(name), told = toldByText.find(row => row.kinds.includes(kind) && row.says.test(text))?.role;
     if (this.roles.length === 1) return this.roles[0];
     if (this.roles.includes('program') && programKinds.includes(kind) && !this.of('program')) return 'program';
+    if (told) return this.roles.includes(told) && !this.of(told) ? told : 'file';
     if (this.roles.includes('tools') && libraryKinds.includes(kind) && !this.of('tools')) return 'tools';
     return (partKinds.includes(kind) || boardKinds.includes(kind)) && !this.of('part') ? 'part' : 'file';
   }
