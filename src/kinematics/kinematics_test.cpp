@@ -61,11 +61,11 @@ Move sloping(Move move, double z_from, double z_to) {
 }
 
 TEST(Kinematics, CornersInSpaceSlowByTheAngleInSpace) {
-  // (100, 0, -30) and then (60, 80, 20): 5400 is the product of their components.
-  const std::vector<Move> moves{sloping(feed_line({0, 0}, {100, 0}, 3600), 5, -25),
-                                sloping(feed_line({100, 0}, {160, 80}, 3600), -25, -5)};
+  // (80, 60, -30) and then (60, 80, 20): 9000 is the product of their components.
+  const std::vector<Move> moves{sloping(feed_line({0, 0}, {80, 60}, 3600), 5, -25),
+                                sloping(feed_line({80, 60}, {140, 140}, 3600), -25, -5)};
   const double first = std::hypot(100, 30), second = std::hypot(100, 20);
-  const double s = std::sqrt((1 + 5400 / (first * second)) / 2);
+  const double s = std::sqrt((1 + 9000 / (first * second)) / 2);
   const double v = std::sqrt(kMachine.acceleration * kMachine.junction_deviation * s / (1 - s));
   EXPECT_NEAR(kinematic_time(moves, kMachine).seconds(),
               seconds_of(first, 0, 60, v) + seconds_of(second, v, 60, 0), 1e-9);
@@ -133,6 +133,9 @@ TEST(Kinematics, TravelFromRestToRest) {
   EXPECT_NEAR(travel_time(100, 50, 500), 2 + 0.1, 1e-12);
   EXPECT_NEAR(travel_time(1.25, 50, 500), 0.1, 1e-12);
   EXPECT_EQ(travel_time(0, 50, 500), 0);
+  // The speed is just reached on 5 mm; half a per cent more or less.
+  EXPECT_NEAR(travel_time(5.025, 50, 500), 0.1 + 5.025 / 50, 1e-12);
+  EXPECT_NEAR(travel_time(4.975, 50, 500), 2 * std::sqrt(4.975 / 500), 1e-12);
 }
 
 TEST(Kinematics, NeverFasterThanProgrammed) {

@@ -65,7 +65,7 @@ Region scaled(const std::vector<Vec2>& corners, double factor) {
 }
 
 Region inscribed_polygon(const Tolerances& tol) {
-  const std::vector<Vec2> corners{{0, 0}, {120, 0}, {95, 40}, {72, 72 * base::tan(kPi / 6)}};
+  const std::vector<Vec2> corners{{0, 0}, {91.8, 0}, {99.1, 25.6}, {91.5, 91.5 * base::tan(kPi / 6)}};
   return scaled(corners, kInscribed / Clearance(scaled(corners, 1), tol).max());
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,6 +19,7 @@
 #include "pipeline/run.h"
 #include "pipeline/tool_sets.h"
 #include "studies/reproduce/planned_outline.h"
+#include "studies/reproduce/printed_figures.h"
 
 namespace clearcut::studies {
 namespace {
@@ -100,17 +102,7 @@ void add_lengths(Reproduction& result, const char* shape, const Region& region,
   result.add_rule();
 }
 
-struct CutterRow {
-  double radius;
-  double present, bisectors, loops;  ///< min, printed
-};
-
-constexpr CutterRow kCutters[] = {{2, 19.51, 17.23, 15.46}, {3, 15.15, 14.97, 13.25}, {4, 8.49, 9.30, 8.21},
-                                  {5, 5.34, 6.17, 5.51},    {6, 4.16, 4.42, 4.69},    {7, 3.29, 3.83, 4.37},
-                                  {8, 2.70, 3.74, 4.61},    {9, 2.14, 3.49, 4.76},    {10, 2.03, 2.03, 2.03},
-                                  {13, 1.14, 1.14, 1.14},   {20.46, 0, 0, 0}};
-
-/// The way of a cutter in plan; absent where it does not fit.
+/// The way of a cutter in plan.
 struct CutterWay {
   PublishedTime published;
   bool clean = false;
@@ -119,51 +111,83 @@ struct CutterWay {
   double minutes(double feed) const { return published.seconds_at(MmPerMin::of(feed)) / 60; }
 };
 
+/// Absent where the cutter does not fit.
 std::optional<CutterWay> way_of(const Region& polygon, double radius, const std::string& strategy) {
   const auto planned = planned_outline(pocket_part(polygon, "polygon", 2 * radius), {strategy});
   if (!planned) return std::nullopt;
   return CutterWay{kinematics::published_time(planned->toolpath), planned->findings.all.clean};
 }
 
-/// The one feed, mm/min, at which the printed times of rho come out with the least relative squares, and what then stays.
-struct FittedFeed {
-  double mm_per_min = 0;
-  double rms = 0, greatest = 0;  ///< share of the printed time
+/// The ways of one cutter by all methods; none where it does not fit.
+struct CutterWays {
+  PrintedCutter printed;
+  CutterWay rho, bisectors, loops, contour;
+  /// Circles in place of the segments, as long as table 1 of the other paper has them, with the segments' stops; not planned.
+  CutterWay circles;
 };
 
-FittedFeed fitted_feed(const Region& polygon) {
-  double across = 0, squares = 0;
-  std::vector<std::pair<double, CutterWay>> rows;
-  for (const CutterRow& row : kCutters) {
-    const auto way = row.present > 0 ? way_of(polygon, row.radius, "rho") : std::nullopt;
-    if (!way) continue;
-    rows.emplace_back(row.present, *way);
-    const double stops = published_seconds(0, way->published.discontinuities) / 60;
-    const double share = way->published.length_mm / row.present;
-    across += share * (row.present - stops) / row.present;
-    squares += share * share;
+std::vector<CutterWays> ways_of_cutters(const Region& polygon) {
+  std::vector<CutterWays> all;
+  for (const PrintedCutter& row : kPrintedCutters) {
+    const auto rho = way_of(polygon, row.radius, "rho"), fixed = way_of(polygon, row.radius, "fixed"),
+               bisectors = way_of(polygon, row.radius, "bisectors"),
+               loops = way_of(polygon, row.radius, "loops"), contour = way_of(polygon, row.radius, "contour");
+    if (!rho || !fixed || !bisectors || !loops || !contour) continue;
+    CutterWay circles = *bisectors;
+    const double contours = fixed->published.length_mm;
+    circles.published.length_mm = contours + kCircleOverSegment * (circles.published.length_mm - contours);
+    all.push_back({row, *rho, *bisectors, *loops, *contour, circles});
   }
-  FittedFeed fit{squares / across};
-  for (const auto& [printed, way] : rows) {
-    const double off = std::abs(way.minutes(fit.mm_per_min) - printed) / printed;
-    fit.rms += off * off / static_cast<double>(rows.size());
+  return all;
+}
+
+/// The one feed, mm/min, at which the greatest relative residual of all printed times is least.
+struct FittedFeed {
+  int mm_per_min = 0;
+  double rms = 0, greatest = std::numeric_limits<double>::infinity();  ///< share of the printed time
+};
+
+FittedFeed residual_at(int feed, const std::vector<CutterWays>& all) {
+  FittedFeed fit{feed, 0, 0};
+  int times = 0;
+  const auto add = [&](const CutterWay& way, double printed) {
+    if (printed <= 0) return;
+    const double off = std::abs(way.minutes(feed) - printed) / printed;
+    ++times;
+    fit.rms += off * off;
     fit.greatest = std::max(fit.greatest, off);
+  };
+  for (const CutterWays& one : all) {
+    add(one.rho, one.printed.present);
+    add(one.bisectors, one.printed.bisectors);
+    add(one.circles, one.printed.loops);
   }
-  fit.rms = std::sqrt(fit.rms);
+  fit.rms = std::sqrt(fit.rms / times);
   return fit;
+}
+
+FittedFeed fitted_feed(const std::vector<CutterWays>& all) {
+  constexpr int kFastest = 500;  // mm/min: with it the printed times would be of paths some metres long
+  FittedFeed best;
+  for (int feed = 1; feed <= kFastest; ++feed) {
+    const FittedFeed one = residual_at(feed, all);
+    if (one.greatest < best.greatest) best = one;
+  }
+  return best;
 }
 
 /// Contours of a convex outline shorten ever faster with their distance from the wall (lengths of inner parallel bodies are concave).
 /// Returns the least minutes of the one contour of a cutter by eq. 9, from those of a smaller one at the same feed, with room for a
 /// third between the walls and at most `kMostCorners` corners.
-double least_minutes_in_convex(double radius, const CutterRow& smaller, double widest) {
+double least_minutes_in_convex(double radius, const PrintedCutter& smaller, double widest) {
   const double stops = published_seconds(0, kMostCorners) / 60;
   return (widest - radius) / (widest - smaller.radius) * (smaller.present - stops);
 }
 
 /// That no convex outline has the printed times of the widest cutters by one feed.
 std::string limit_of_convex() {
-  constexpr const CutterRow &one_contour = kCutters[8], &next = kCutters[9], &widest = kCutters[10];
+  constexpr const PrintedCutter &one_contour = kPrintedCutters[8], &next = kPrintedCutters[9],
+                                &widest = kPrintedCutters[10];
   return fmt::format(
       "no convex outline has these times by one feed: contours shorten ever faster inwards, so that one with "
       "room for {} mm, {:.2f} min at R = {} and up to {} corners takes at least {:.2f} min at R = {}, where "
@@ -175,29 +199,56 @@ std::string limit_of_convex() {
 /// What the printed times of table 3 follow, and how well.
 std::string law_of_times(const FittedFeed& fit) {
   return fmt::format(
-      "the printed times follow one feed for all cutters, V_f = {:.0f} mm/min as fitted to "
-      "rho's: relative residual {:.0f} % "
+      "the printed times follow one feed for all cutters, V_f = {} mm/min as fitted to "
+      "all of them: relative residual {:.0f} % "
       "(root of the mean square), at most {:.0f} %",
       fit.mm_per_min, 100 * fit.rms, 100 * fit.greatest);
 }
 
+/// Stops that make up for the difference of two printed times of a cutter by eq. 9, at any feed.
+double stops_between(double minutes, double others) {
+  return std::abs(minutes - others) * 60 / (2 * kPublishedStop);
+}
+
+/// Contours at the rivals' step of 0.9 of the diameter that a pocket of the printed width has room for.
+int contours_of_rivals(double radius) {
+  return 1 + static_cast<int>((kInscribed - radius) / (0.9 * 2 * radius));
+}
+
+/// That no one length of a loop over that of its segment has the printed times, whatever the feed. At the rivals' step this ratio
+/// depends on the corner's angle alone, not on the cutter.
+std::string limit_of_loops() {
+  constexpr const PrintedCutter &narrow = kPrintedCutters.front(), &wide = kPrintedCutters[7];
+  const double narrow_stops = stops_between(narrow.loops, narrow.bisectors),
+               wide_stops = stops_between(wide.loops, wide.bisectors);
+  return fmt::format(
+      "no one ratio of a loop to its segment has these times, whatever the feed: loops take {:.2f} min less than "
+      "segments at R = {} and {:.2f} more at R = {}; were loops the longer ones, segments would have {:.0f} "
+      "stops more than loops at R = {}, {:.1f} for each of {} corners of {} contours, and were they the shorter "
+      "ones, loops {:.0f} more at R = {}, {:.1f} for each of {} corners of {} contour; a segment has 2",
+      narrow.bisectors - narrow.loops, narrow.radius, wide.loops - wide.bisectors, wide.radius, narrow_stops,
+      narrow.radius, narrow_stops / (kMostCorners * contours_of_rivals(narrow.radius)), kMostCorners,
+      contours_of_rivals(narrow.radius), wide_stops, wide.radius,
+      wide_stops / (kMostCorners * contours_of_rivals(wide.radius)), kMostCorners,
+      contours_of_rivals(wide.radius));
+}
+
 /// "NO" where the certificate finds a fault.
-Cell minutes_beside(const std::optional<CutterWay>& way, double feed, double printed) {
-  if (!way)
-    return beside("does not fit", fmt::format("{:.2f}", printed), Agreement::kDiffers, kNotPrinted.reason);
-  Cell cell = beside(way->minutes(feed), printed, 2, kNotPrinted);
-  if (!way->clean) cell.text += " NO";
+Cell minutes_beside(const CutterWay& way, double feed, double printed) {
+  Cell cell = printed > 0 ? beside(way.minutes(feed), printed, 2, kNotPrinted)
+                          : Cell(fmt::format("{:.2f}", way.minutes(feed)));
+  if (!way.clean) cell.text += " NO";
   return cell;
 }
 
-/// "4, 5, 6" : the cutters, mm, of table 3 for which rho takes less time than the rival at one feed, mm/min.
-std::string radii_where_rho_wins(const Region& polygon, const std::string& rival, double feed) {
+/// "4 5 6": the cutters, mm, for which rho takes less time than a rival.
+template <typename Times>
+std::string radii_where_rho_wins(const std::vector<CutterWays>& all, const Times& times) {
   std::string radii;
-  for (const auto& row : kCutters) {
-    if (row.radius >= kSameForAll) break;
-    const auto own = way_of(polygon, row.radius, "rho"), other = way_of(polygon, row.radius, rival);
-    if (own && other && own->minutes(feed) < other->minutes(feed))
-      radii += fmt::format("{}{}", radii.empty() ? "" : " ", row.radius);
+  for (const CutterWays& one : all) {
+    if (one.printed.radius >= kSameForAll) break;
+    const auto [rho, rival] = times(one);
+    if (rho < rival) radii += fmt::format("{}{}", radii.empty() ? "" : " ", one.printed.radius);
   }
   return radii.empty() ? "none" : radii;
 }
@@ -251,23 +302,22 @@ Reproduction length_comparison() {
 }
 
 Reproduction cutter_comparison() {
-  const Region polygon = inscribed_polygon({});
-  const FittedFeed fit = fitted_feed(polygon);
+  const std::vector<CutterWays> all = ways_of_cutters(inscribed_polygon({}));
+  const FittedFeed fit = fitted_feed(all);
   Reproduction result;
   TextTable& table = result.table;
   table.title = "CPO-rho table 3: cutting time by eq. 9, min; polygon of inscribed radius 20.46 mm";
-  table.columns = {{"R mm"}, {"rho, theirs"},   {"ours"}, {"bisectors, theirs"},
-                   {"ours"}, {"loops, theirs"}, {"ours"}, {"contour (ours)"}};
-  for (const auto& row : kCutters) {
-    const auto beside_print = [&](const char* strategy, double printed) {
-      const auto way = way_of(polygon, row.radius, strategy);
-      return printed > 0 ? minutes_beside(way, fit.mm_per_min, printed)
-                         : Cell(way ? fmt::format("{:.2f}", way->minutes(fit.mm_per_min)) : "does not fit");
+  table.columns = {{"R mm"},           {"rho, theirs"}, {"ours"},           {"bisectors, theirs"}, {"ours"},
+                   {"loops, theirs"}, {"circles"},     {"shortest loops"}, {"contour (ours)"}};
+  for (const CutterWays& one : all) {
+    const PrintedCutter& row = one.printed;
+    const auto cell = [&](const CutterWay& way, double printed) {
+      return minutes_beside(way, fit.mm_per_min, printed);
     };
-    result.add({fmt::format("{}", row.radius), fmt::format("{:.2f}", row.present),
-                beside_print("rho", row.present), fmt::format("{:.2f}", row.bisectors),
-                beside_print("bisectors", row.bisectors), fmt::format("{:.2f}", row.loops),
-                beside_print("loops", row.loops), beside_print("contour", 0)});
+    result.add({fmt::format("{}", row.radius), fmt::format("{:.2f}", row.present), cell(one.rho, row.present),
+                fmt::format("{:.2f}", row.bisectors), cell(one.bisectors, row.bisectors),
+                fmt::format("{:.2f}", row.loops), cell(one.circles, row.loops), cell(one.loops, 0),
+                cell(one.contour, 0)});
   }
   table.notes.push_back(
       fmt::format("{}; by the printed V_c = {} m/min and one feed a "
@@ -275,6 +325,9 @@ Reproduction cutter_comparison() {
                   "times of all cutters be nearly the same",
                   law_of_times(fit), kCuttingSpeed));
   table.notes.push_back(limit_of_convex());
+  table.notes.emplace_back(
+      "circles: pi / 2 of the length of the segments and as many stops, as lengths finds of the printed loops of "
+      "the other paper; shortest loops: those that we plan, no longer than the rests ask for");
   table.notes.emplace_back(
       "their outline is not printed, the polygon is ours with their smallest angle, 30 degrees; the cutter "
       "as wide as the polygon "
@@ -287,8 +340,8 @@ Reproduction cutter_comparison() {
 }
 
 Reproduction cutter_trend() {
-  const Region polygon = inscribed_polygon({});
-  const FittedFeed fit = fitted_feed(polygon);
+  const std::vector<CutterWays> all = ways_of_cutters(inscribed_polygon({}));
+  const FittedFeed fit = fitted_feed(all);
   Reproduction result;
   result.table.title =
       "CPO-rho table 3, its trend: the cutters (R mm) for which rho is faster than the rivals";
@@ -296,27 +349,33 @@ Reproduction cutter_trend() {
                           {"than bisectors, theirs", Align::kLeft},
                           {"ours", Align::kLeft},
                           {"than loops, theirs", Align::kLeft},
-                          {"ours", Align::kLeft}};
+                          {"circles", Align::kLeft},
+                          {"shortest loops", Align::kLeft}};
   const auto checked = [](const std::string& ours, const std::string& printed, const char* why) {
     const bool same = ours == printed;
     return beside(ours, printed, same ? Agreement::kAgrees : Agreement::kDiffers, same ? "" : why);
   };
-  const std::string bisectors = "4 5 6 7 8 9", loops = "6 7 8 9";
-  std::string reproduced;  // feeds at which the whole trend comes out
+  const std::string bisectors = radii_where_rho_wins(
+                        all, [](const auto& one) { return std::pair(one.printed.present, one.printed.bisectors); }),
+                    loops = radii_where_rho_wins(
+                        all, [](const auto& one) { return std::pair(one.printed.present, one.printed.loops); });
   for (const double share : kTrendFeeds) {
     const double feed = share * fit.mm_per_min;
-    const std::string over_bisectors = radii_where_rho_wins(polygon, "bisectors", feed);
-    const std::string over_loops = radii_where_rho_wins(polygon, "loops", feed);
+    const auto wins_over = [&](CutterWay CutterWays::* rival) {
+      return radii_where_rho_wins(all, [&](const auto& one) {
+        return std::pair(one.rho.minutes(feed), (one.*rival).minutes(feed));
+      });
+    };
     result.add({fmt::format("{:.0f}", feed), bisectors,
-                checked(over_bisectors, bisectors, "the outline is not printed"), loops,
-                checked(over_loops, loops,
-                        "our loops are no longer than the rests ask for: they beat rho at every feed")});
-    if (over_bisectors == bisectors && over_loops == loops)
-      reproduced += fmt::format("{}{:.0f}", reproduced.empty() ? "" : ", ", feed);
+                checked(wins_over(&CutterWays::bisectors), bisectors, "the outline is not printed"), loops,
+                checked(wins_over(&CutterWays::circles), loops,
+                        "no one ratio of loops to segments has the printed times, see below"),
+                wins_over(&CutterWays::loops)});
   }
-  result.table.notes.push_back(reproduced.empty()
-                                   ? "the printed trend comes out whole at none of these feeds"
-                                   : "the printed trend comes out whole at " + reproduced + " mm/min");
+  result.table.notes.push_back(limit_of_loops());
+  result.table.notes.emplace_back(
+      "circles: pi / 2 of the length of the segments and as many stops, as lengths finds of the printed loops of "
+      "the other paper; shortest loops: those that we plan, no longer than the rests ask for");
   result.table.notes.push_back(law_of_times(fit) + "; the other feeds are half, twice and four times it");
   result.table.notes.push_back("cutters of 10 mm and more take the same time by all three in print");
   return result;

@@ -16,6 +16,7 @@ const std::vector<ReproducibleTable>& reproducible_tables() {
       {"captions", "CPO-kappa figure 9, CPO-rho figures 10 and 11", 0.1, false, caption_figures},
       {"triangle", "CPO-kappa figure 10", 0.1, false, triangle_figure},
       {"operators", "Tour section 3.6.2 and table 3.1", 0.1, false, operators_table},
+      {"claims", "all four texts, in their words", 0.1, false, claims_table},
       {"lengths", "CPO-kappa table 1", 0.3, false, length_comparison},
       {"lattices", "Tour tables 6.3 and 6.6", 0.3, false, lattice_table},
       {"points", "Tour section 5.3.2", 0.5, false, grid_points_table},

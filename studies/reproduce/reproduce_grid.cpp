@@ -9,31 +9,14 @@
 #include "order/search/solve.h"
 #include "pipeline/tour/tour_solver.h"
 #include "plan/grid/visit.h"
+#include "studies/reproduce/printed_figures.h"
 #include "studies/reproduce/published_comparisons.h"
 #include "studies/reproduce/reproduce_parts.h"
 
 namespace clearcut::studies {
 namespace {
 
-/// A printed row, with the radius and the rule that give its counts: the paper prints neither.
-struct PrintedRow {
-  double side, radius;  ///< mm
-  MiddleRow rule;
-  int squares, reduced;
-  const char* time_all;
-  const char* time_reduced;
-  double all_s, reduced_s;  ///< the same in seconds
-};
-
-constexpr std::array<PrintedRow, 6> kTable1{
-    {{10, 2, MiddleRow::kKeep, 121, 16, "> 3 h", "85 s", 10800, 85},
-     {12, 2, MiddleRow::kKeep, 169, 25, "> 5 h", "160 s", 18000, 160},
-     {20, 3, MiddleRow::kKeep, 441, 36, "> 10 h", "7.5 min", 36000, 450},
-     {20, 4, MiddleRow::kKeep, 441, 16, "> 10 h", "85 s", 36000, 85},
-     {30, 3, MiddleRow::kKeep, 961, 81, "> 1 day", "20 min", 86400, 1200},
-     {30, 3, MiddleRow::kStrict, 961, 64, "> 1 day", "12 min", 86400, 720}}};
-
-ElementJob job_of(const PrintedRow& row) {
+ElementJob job_of(const PrintedReduction& row) {
   ElementJob job;
   job.name = "square";
   job.stock = {{{0, 0}, {row.side, row.side}}, -1, 0};
@@ -84,7 +67,7 @@ std::string time_to_optimum(const std::vector<Vec2>& points) {
   return fmt::format("{:.1f} ms{}", 1000 * solution.seconds, solution.gap < 1e-9 ? "" : " (not proven)");
 }
 
-std::vector<std::string> cells_of(const PrintedRow& row) {
+std::vector<std::string> cells_of(const PrintedReduction& row) {
   const auto start = std::chrono::steady_clock::now();
   const ElementJob job = job_of(row);
   PointTable table = plan::grid::tabulate(job);
@@ -126,7 +109,7 @@ Reproduction grid_table() {
                           {"GA on reduced, theirs"},
                           {"ours"},
                           {"proven optimum"}};
-  for (const PrintedRow& row : kTable1) {
+  for (const PrintedReduction& row : kPrintedReductions) {
     const PointTable table = plan::grid::tabulate(job_of(row));
     result.add({fmt::format("{0} x {0}", row.side), fmt::format("{}", row.radius),
                 row.rule == MiddleRow::kKeep ? "keep" : "strict", std::to_string(row.squares),
@@ -157,7 +140,7 @@ TextTable grid_reduction_table() {
       {"pocket mm"},      {"tool R mm"}, {"middle row", Align::kLeft}, {"squares"}, {"reduced"},
       {"visit mm"},       {"bound mm"},  {"proven", Align::kLeft},     {"time ms"}, {"printed all"},
       {"printed reduced"}};
-  for (const auto& row : kTable1) table.add(cells_of(row));
+  for (const auto& row : kPrintedReductions) table.add(cells_of(row));
   table.notes = {"Time: interpolation, reduction and search for the shortest open path, on one thread.",
                  "Printed: convergence of a genetic algorithm over all squares and over the reduced ones.",
                  "Tool radii and the rule of the middle row are not printed; these give the printed counts."};

@@ -12,6 +12,7 @@
 #include "plan/common/layers.h"
 #include "resolve/resolve.h"
 #include "studies/fishhead.h"
+#include "studies/reproduce/printed_figures.h"
 #include "studies/reproduce/published_comparisons.h"
 #include "studies/reproduce/reproduce_parts.h"
 
@@ -172,22 +173,11 @@ void add_reading(Reproduction& result, const std::string& name, const Sum& rows,
     return beside(value, printed, 0,
                   {"the text states neither its grid nor its layers; no links between areas in ours", 0.25});
   };
-  result.add({name, cell(rows.length, 25282), "", "", cell(rows.turns, 423), cell(spiral.length, 24103), "",
-              "", cell(spiral.angle, 34686), fmt::format("{:.2f}", rows.length / 25282)});
+  constexpr const PrintedJob& printed = kPrintedJobs.front();
+  result.add({name, cell(rows.length, printed.feed), "", "", cell(rows.turns, printed.turns),
+              cell(spiral.length, printed.spiral_feed), "", "", cell(spiral.angle, printed.angle),
+              fmt::format("{:.2f}", rows.length / printed.feed)});
 }
-
-/// A printed row of table 6.5: lengths in mm, turns, degrees.
-struct PrintedJob {
-  const char* name;
-  int feed, rapid, total, turns;  ///< bidirectional
-  int spiral_feed, spiral_rapid, spiral_total, angle;
-};
-
-constexpr std::array<PrintedJob, 4> kPrintedJobs{
-    {{"GA", 25282, 2395, 27729, 423, 24103, 1838, 25941, 34686},
-     {"NX", 24950, 2285, 27235, 415, 23830, 1680, 25510, 34090},
-     {"FeatureCAM", 24395, 2325, 26720, 412, 23740, 1945, 25685, 34358},
-     {"MasterCAM", 25030, 2525, 27555, 431, 24010, 1795, 25805, 35670}}};
 
 /// Totals are held against the sum of feed and rapid moves.
 Cell total_of(int feed, int rapid, int printed) {
@@ -203,7 +193,7 @@ void add_printed_jobs(Reproduction& result) {
                 total_of(job.feed, job.rapid, job.total), std::to_string(job.turns),
                 std::to_string(job.spiral_feed), std::to_string(job.spiral_rapid),
                 total_of(job.spiral_feed, job.spiral_rapid, job.spiral_total), std::to_string(job.angle),
-                fmt::format("{:.2f}", job.feed / 25282.0)});
+                fmt::format("{:.2f}", static_cast<double>(job.feed) / kPrintedJobs.front().feed)});
   }
 }
 

@@ -1,7 +1,7 @@
 // The tables and figures of CPO-kappa and CPO-rho whose outlines are printed, or that need none. The table of the
 // grid paper. The Tour text's table 6.4 and figure 6-15: one objective at a time, several at once, and engagement.
 // The worked example of the genetic operators in the Tour text. The tables and figures of the Tour text that need
-// nothing but an order of points. The published system on its own part, from the file to the checked program, beside
+// nothing but an order of points. Claims in words beside the texts' own tables. The published system on its own part, from the file to the checked program, beside
 // ours. The table of the Tour text about drafted walls. The published figures of the text's genetic algorithm beside
 // ours.
 #pragma once
@@ -43,6 +43,9 @@ Reproduction single_multi_table();
 
 /// Tour 3.6.2: two offspring of the partially mapped crossover, the genetic edges of table 3.1, by the operators that run.
 Reproduction operators_table();
+
+/// Figures in the words of the texts beside what their own tables make of them.
+Reproduction claims_table();
 
 /// Tables 6.3 and 6.6: lattices, turns, turn angle, fitness.
 Reproduction lattice_table();

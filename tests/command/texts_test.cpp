@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <regex>
@@ -74,11 +75,16 @@ const Sign kSigns[] = {
     {"§ III C, eq. 4 to 6, figs. 5, 6", "a.json", "\"coefficient\": 0.8535"},
     {"§ IV A, figs. 7, 8", "a.svg", "<path"},
     {"§ IV A, figs. 7, 8", "a.html", "<canvas"},
+    {"fig. 9 (a)", "", "268.4[0-9]+ mm2 within reach is left uncut"},
+    {"fig. 9 (b)", "", "verdict: CLEAN"},
+    {"fig. 9 (b)", "a.txt", "# total length 2195.3553\n"},
+    {"§ VI, any polygon", "", "120.1[0-9]+ mm2 within reach is left uncut"},
+    {"§ VI, any polygon, corrected", "", "verdict: CLEAN"},
     {"fig. 10, from outline to program", "a.txt", "# total length 373.4802\n"},
     {"§ IV B", "a.ngc", "G0?1 "},
     // CPO-rho
-    {"§ 2.1, eq. 1, figs. 1, 2, 4", "", "pwid +[0-9]"},
-    {"§ 2.1, eq. 1, figs. 1, 2, 4", "", "double +[0-9]"},
+    {"§§ 1, 2.1, eq. 1, figs. 1, 2, 4", "", "pwid +[0-9]"},
+    {"§§ 1, 2.1, eq. 1, figs. 1, 2, 4", "", "double +[0-9]"},
     {"eq. 2, fig. 5", "a.txt", "G03\n"},
     {"eq. 3, fig. 6", "a.txt", "20.0000 20.0000 5.0000 35.0000\n"},
     {"§ 3.1, eq. 4 to 7, fig. 7, app. A, B, fig. 13", "a.txt",
@@ -92,20 +98,26 @@ const Sign kSigns[] = {
     {"§ 4, sets of cutters", "", "endmill 6 +[*]? +2 +1942 +194 "},
     {"§ 4, sets of cutters", "", "fastest sequence"},
     {"§ 5", "a.ngc", "X55 Y"},
+    {"figs. 11, 12 (b)", "a.txt", "coefficient 0.7187 "},
+    {"figs. 11, 12 (b)", "a.txt", "\n13.8564 8.0000 86.1436 8.0000\n"},
+    {"figs. 11, 12 (b)", "", "verdict: CONDITIONAL"},
+    {"fig. 12 (a)", "", "30.2[0-9]+ mm2 within reach is left uncut"},
+    {"§ 6, tool life", "", "\nrho .* 119 +yes"},
+    {"§ 6, tool life", "", "\nfixed .* 138 +NO"},
     // Grid
-    {"§ I, II, figs. 1, 2, decision maker", "", "element +squares +reduced"},
-    {"§ III, figs. 3 to 8", "", "element 1 +441 +81 "},
-    {"§ III, figs. 3 to 8", "", "element 2 +31 "},
-    {"§ III, figs. 3 to 8", "", "element 3 +21 "},
+    {"§§ I, II, figs. 1, 2, decision maker", "", "element +squares +reduced"},
+    {"§ II, figs. 3 to 8", "", "element 1 +441 +81 "},
+    {"§ II, figs. 3 to 8", "", "element 2 +31 "},
+    {"§ II, figs. 3 to 8", "", "element 3 +21 "},
     {"§ III, figs. 9 to 21", "", "middle +[0-9]+ +[0-9]+ +[0-9]+\\.[0-9] "},
     {"§ III, figs. 9 to 21", "a.svg", "squares</text>"},
-    {"fig. 23", "", "south +[0-9]+ +[0-9]+ "},
-    {"§ IV", "", "on all squares, and on those that the reduction keeps"},
-    {"§ IV", "", "middle +[0-9]+ +[0-9.]+ +[0-9.]+ +[0-9]+ +[0-9.]+ +[0-9.]+\n"},
+    {"figs. 23, 24", "", "south +[0-9]+ +[0-9]+ "},
+    {"§§ IV, V", "", "on all squares, and on those that the reduction keeps"},
+    {"§§ IV, V", "", "middle +[0-9]+ +[0-9.]+ +[0-9.]+ +[0-9]+ +[0-9.]+ +[0-9.]+\n"},
     {"the working screen", "a.html", "onvergence"},
     // Tour
-    {"ch. 1, 2, §§ 3.1 to 3.2", "", "zigzag +[0-9]"},
-    {"ch. 1, 2, §§ 3.1 to 3.2", "", "spiral +[0-9]"},
+    {"ch. 1, 2, §§ 3.1 to 3.2, figs. 2-3 to 2-5", "", "zigzag +[0-9]"},
+    {"ch. 1, 2, §§ 3.1 to 3.2, figs. 2-3 to 2-5", "", "spiral +[0-9]"},
     {"§§ 3.3.1, 3.3.2, 4.2.1, fig. 3-1", "", "step WS POCKET6 -> POCKET6"},
     {"§ 4.2, essential data", "", "^NOT MACHINED: NO_STRATEGY\n"},
     {"§ 4.2.1, strategies named in the file", "", "CONTOUR_SPIRAL"},
@@ -121,28 +133,30 @@ const Sign kSigns[] = {
     {"§ 4.2.4, eq. 4.8, figs. 4-7, 4-8, 4-11", "a.ngc", "\\(RIM OF THE PUBLISHED GRID: PLATE\\)"},
     {"§ 4.2.5, eq. 4.9, 4.10, figs. 4-9, 4-10", "",
      "scallop: 0.500 mm at most on the drafted walls of POCKET3"},
-    {"§§ 3.5, 3.6.1, figs. 3-7 to 3-9", "", "length 99, .*gap 0.0000 %"},
+    {"§ 3.5, eq. 3.1 to 3.3, § 3.10", "", "length 8, .*bound 8 .*gap 0.0000 %.* exact"},
+    {"§ 3.6.1, figs. 3-7 to 3-9", "", "length 99, .*gap 0.0000 %"},
+    {"§§ 3.4, 3.7, 3.8, 4.1, 4.3.1", "", "genetic, tournament, cx, inversion"},
     {"§ 3.6.2, fig. 3-10", "", "genetic, roulette, erx, nearest"},
     {"§ 4.3, figs. 4-13, 4-17", "", "uncut: plate: "},
     {"§ 4.3.2, fig. 4-14", "", "\n50 +2 "},
     {"§ 4.3.2, neighbours", "", "\n48 +2 "},
-    {"§ 4.3.3, fig. 4-15", "", "\nroulette +2 "},
+    {"§ 4.3.3, eq. 4.11, 4.12, fig. 4-15", "", "\nroulette +2 "},
     {"§ 4.3.3, fig. 4-16", "", "\nerx +2 "},
     {"§ 4.3.3, fig. 4-16", "", "\nscx +2 "},
-    {"§ 4.3.3, fig. 4-18", "", "\nnearest +2 "},
-    {"§ 4.3.3, fig. 4-18", "", "\nscramble +2 "},
+    {"§ 4.3.3, eq. 4.13, 4.14, fig. 4-18", "", "\nnearest +2 "},
+    {"§ 4.3.3, eq. 4.13, 4.14, fig. 4-18", "", "\nscramble +2 "},
     {"§ 3.9, sensitivity", "", "\npopulation \\* 2 +2 .* [0-9]+\n"},
     {"§ 3.9, rates of crossover", "", "\n0.8 +2 "},
     {"§ 3.9, rates of mutation", "", "\n0.2 +2 "},
     {"§ 4.4, fig. 4-19", "", "verdict: CLEAN"},
     {"§ 4.4, fig. 4-19", "a.ngc", "\nX47.9641 F1000\nY15.509\nX12.0359\nY24.491\n"},
-    {"§ 4.4.1, fig. 4-20", "", "length 35, .*gap 0.0000 %"},
+    {"§ 4.4.1, eq. 4.15, fig. 4-20", "", "length 35, .*gap 0.0000 %"},
     {"§ 4.4.2, figs. 4-21 to 4-23", "", "turns 10, .*gap 0.0000 %"},
     {"§ 4.4.2, eq. 4.16 to 4.20, figs. 4-24 to 4-26", "", "angle 900, .*gap 0.0000 %"},
     {"§ 4.4.3, eq. 4.21, figs. 4-12, 4-27 to 4-31", "", ": 36 points, engagement [0-9.]+, "},
     {"eq. 4.22", "", "engagement-inverse [0-9.]+, "},
-    {"§ 5.2, figs. 5-1 to 5-4, app. 9.1", "", "PLANAR_FACE4  planar_face"},
-    {"§ 6.2.1, figs. 6-1, 6-2", "", "\n30 +2 "},
+    {"§§ 5.1, 5.2, figs. 5-1 to 5-4, app. 9.1", "", "PLANAR_FACE4  planar_face"},
+    {"§ 6.2.1, eq. 5.1, figs. 6-1, 6-2", "", "\n30 +2 "},
     {"fig. 6-3", "", "\n30 +2 "},
     {"§ 6.2.2, figs. 6-4, 6-5", "", "\nall +2 "},
     {"§ 6.3.2, figs. 6-11, 6-13", "", "turns 18, .*gap 0.0000 %"},
@@ -167,13 +181,114 @@ std::string without_a_depth(std::string program) {
 
 TEST(TextsPage, KnowsFourTexts) {
   const auto items = items_of_the_texts();
-  EXPECT_GE(items.size(), 87u);
+  EXPECT_GE(items.size(), 102u);
   for (const Item& item : items) {
     EXPECT_THAT(item.agreement, ::testing::AnyOf("agrees", "computed", "printed", "explained", "differs",
                                                  "runs", "not built"))
         << item.where;
     EXPECT_EQ(item.command.empty(), item.agreement == "not built") << item.where;
   }
+}
+
+std::string docs_page(const std::string& name) {
+  return read_file(CLEARCUT_SOURCE_DIR "/docs/" + name, 1 << 20);
+}
+
+/// What a text numbers, by kind; ranges as the page writes them.
+struct Numbered {
+  const char* heading;
+  const char* kind;
+  const char* numbers;
+};
+
+const Numbered kNumbered[] = {
+    {"CPO-κ", "§", "I, II, III A, III B, III C, IV A, IV B, V, VI"},
+    {"CPO-κ", "alg", "1 to 3"},
+    {"CPO-κ", "eq", "1 to 6"},
+    {"CPO-κ", "fig", "1 to 14"},
+    {"CPO-κ", "table", "1"},
+    {"CPO-ρ", "§", "1, 2.1, 3.1, 3.2, 4, 5, 6"},
+    {"CPO-ρ", "app", "A, B"},
+    {"CPO-ρ", "eq", "1 to 9"},
+    {"CPO-ρ", "fig", "1 to 13"},
+    {"CPO-ρ", "table", "1 to 3"},
+    {"Grid", "§", "I, II, III, IV, V"},
+    {"Grid", "fig", "1 to 24"},
+    {"Grid", "table", "1"},
+    {"Tour", "§", "1, 2, 3.1, 3.2, 3.3.1 to 3.3.4, 3.4, 3.5, 3.6.1 to 3.6.3, 3.7 to 3.10, 4.1, 4.2.1 to 4.2.5, 4.3.1 to "
+                  "4.3.3, 4.4.1 to 4.4.3, 5.1, 5.2, 5.3.1, 5.3.2, 5.4, 6.1, 6.2.1 to 6.2.3, 6.3.1 to 6.3.4, 6.4.1 to "
+                  "6.4.4, 6.5, 7.1 to 7.6, 8.1 to 8.3, 8.4.1 to 8.4.4"},
+    {"Tour", "app", "9.1"},
+    {"Tour", "eq", "3.1 to 3.3, 4.1 to 4.22, 5.1"},
+    {"Tour", "fig", "1-1, 1-2, 2-1 to 2-5, 3-1 to 3-10, 4-1 to 4-31, 5-1 to 5-7, 6-1 to 6-21, 8-1"},
+    {"Tour", "table", "3.1, 6.1 to 6.6"}};
+
+/// "4-1 to 4-3, 5" are "4-1", "4-2", "4-3" and "5"; what is no number ends the list.
+std::vector<std::string> numbers_in(const std::string& list) {
+  static const std::regex one(R"(^((?:[IVX]+(?: [A-C])?|[A-B]|[0-9][0-9.-]*)(?: \([ab]\))?)(?: to ([0-9.-]*[0-9]))?$)");
+  std::vector<std::string> numbers;
+  for (const std::string& part : split(list, ',')) {
+    std::smatch match;
+    const std::string text(stripped(part));
+    if (!std::regex_match(text, match, one)) break;
+    const std::string first = match[1], last = match[2];
+    const auto digits = first.find_last_of(".-") + 1;
+    if (last.empty()) {
+      numbers.push_back(first.substr(0, first.find(" (")));
+    } else {
+      for (int k = std::stoi(first.substr(digits)); k <= std::stoi(last.substr(digits)); ++k)
+        numbers.push_back(first.substr(0, digits) + std::to_string(k));
+    }
+  }
+  return numbers;
+}
+
+/// Kind and number of all that the rows of a text name.
+std::set<std::string> named_in(const std::string& heading) {
+  const std::string page = read_file(CLEARCUT_SOURCE_DIR "/docs/texts.md");
+  const auto begin = page.find("\n## " + heading + ":"), end = page.find("\n## ", begin + 1);
+  std::istringstream rows(page.substr(begin, end - begin));
+  static const std::regex kind(R"(((?:§)+|ch\.|figs?\.|eq\.|alg\.|tables?|app\.) )");
+  std::set<std::string> named;
+  for (std::string line; std::getline(rows, line);) {
+    if (!line.starts_with("| ")) continue;
+    const std::string where = line.substr(2, line.find(" | ") - 2);
+    for (std::sregex_iterator at(where.begin(), where.end(), kind), next, none; at != none; at = next) {
+      next = std::next(at);
+      std::string word = (*at)[1];
+      word = word.starts_with("§") || word == "ch." ? "§" : std::regex_replace(word, std::regex(R"(s?\.?$)"), "");
+      const auto from = static_cast<std::size_t>(at->position() + at->length());
+      const auto until = next == none ? where.size() : static_cast<std::size_t>(next->position());
+      for (const std::string& number : numbers_in(where.substr(from, until - from)))
+        named.insert(word + " " + number);
+    }
+  }
+  return named;
+}
+
+/// Whether it, the whole that it is part of, or a part of it is named.
+bool is_named(const std::set<std::string>& named, const std::string& one) {
+  return std::any_of(named.begin(), named.end(), [&](const std::string& other) {
+    const auto is_part = [](const std::string& part, const std::string& whole) {
+      return part.starts_with(whole + ".") || part.starts_with(whole + " ");
+    };
+    return one == other || (one.starts_with("§") && (is_part(one, other) || is_part(other, one)));
+  });
+}
+
+/// Every section, figure, table, equation and algorithm that a text numbers stands in a row, by which the page says how many they are.
+TEST(TextsPage, NamesAllThatTheTextsNumber) {
+  int all = 0;
+  for (const Numbered& numbered : kNumbered) {
+    const std::set<std::string> named = named_in(numbered.heading);
+    for (const std::string& number : numbers_in(numbered.numbers)) {
+      ++all;
+      const std::string one = std::string(numbered.kind) + " " + number;
+      EXPECT_TRUE(is_named(named, one)) << numbered.heading << ": " << one;
+    }
+  }
+  EXPECT_NE(docs_page("texts.md").find(fmt::format("all {} sections, figures, tables, equations", all)), std::string::npos)
+      << all;
 }
 
 /// The table of counts at the head of the page: the last row is that of all rows below.
@@ -220,6 +335,10 @@ TEST(TextsPage, EveryCommandRuns) {
   folder.file("sharp.edges", "name sharp\ndepth 2\n60 70\n87.7141 40\n87.7141 70\n");
   folder.file("round.edges", "name round\ndepth 2\n60 90 14\n40 90 14\n60 90 14\n40 90 14\n");
   folder.file("angle.edges", "name angle\ndepth 2\n60 90\n20 90\n30 270\n20 90\n30 90\n40 90\n");
+  std::string star = "name star\ndepth 2\n";
+  for (int tip = 0; tip < 6; ++tip) star += "60 90\n60 210\n";
+  folder.file("star.edges", star);
+  folder.file("large.edges", "name large triangle\ndepth 2\n100 60\n100 60\n100 60\n");
   folder.file("no_depth.p21", without_a_depth(read_file(CLEARCUT_SOURCE_DIR "/examples/strategies.p21")));
   std::vector<std::string> commands;
   std::map<std::string, std::vector<Item>> items_of;  // some rows share a command
@@ -282,10 +401,6 @@ std::vector<std::string> row_beginning(const std::string& page, const std::vecto
     if (cells.size() > first.size() && std::equal(first.begin(), first.end(), cells.begin())) return cells;
   }
   return {};
-}
-
-std::string docs_page(const std::string& name) {
-  return read_file(CLEARCUT_SOURCE_DIR "/docs/" + name, 1 << 20);
 }
 
 /// "23 237 mm" is 23237.

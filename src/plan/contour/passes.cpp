@@ -289,7 +289,7 @@ class PassBuilder {
   }
 
   /// Lin et al.: a pass along the bisector of every corner in which the step leaves material, from the ring at the
-  /// wall to its intersection with another bisector.
+  /// wall to its intersection with another bisector. A bisector within reach of the ring at the wall has nothing left.
   void add_bisectors(const Domain& domain, const std::vector<RingNode>& nodes) {
     const auto& axis = domain.clearance.axis();
     std::vector<std::vector<int>> edges_at(axis.points.size());
@@ -303,7 +303,8 @@ class PassBuilder {
       const auto curve = bisector_from(static_cast<int>(v), edges_at, domain.clearance);
       const double rise =
           (curve[1].clearance - curve[0].clearance) / distance(curve[0].point, curve[1].point);
-      if (step > job_.radius * (1 + rise) + 1e-6) add_bisector(curve);
+      const bool is_reached = curve.back().clearance <= job_.first_level + job_.radius;
+      if (step > job_.radius * (1 + rise) + 1e-6 && !is_reached) add_bisector(curve);
     }
   }
 

@@ -117,7 +117,10 @@ class Judge {
       floor_.push_back({deep, deep + share * (other - deep)});
     }
   }
-  ClaimFaults faults() const { return {uncut(), gouge(), rapid()}; }
+  ClaimFaults faults(double off_height) const {
+    const double as_programmed = rapid(0);
+    return {uncut(), gouge(), as_programmed, off_height > 0 ? rapid(2 * off_height) : as_programmed};
+  }
 
  private:
   Nearby wall_near(Vec2 p, double most) const { return near_walls_.nearest_stretch(p, most); }
@@ -199,7 +202,8 @@ class Judge {
     }
     return most;
   }
-  double rapid() const {
+  /// Of rapids by feeds that are at least `below` mm lower.
+  double rapid(double below) const {
     double most = -1;
     for (std::size_t i = 0; i < ways_.size(); ++i) {
       const TipWay& way = ways_[i];
@@ -208,9 +212,9 @@ class Judge {
       if (!way.rapid || low >= feature_.top_z || (a == b && way.z1 >= way.z0)) continue;
       std::vector<Stretch> before;
       for (std::size_t k = 0; k < i; ++k)
-        if (!ways_[k].rapid && std::max(ways_[k].z0, ways_[k].z1) <= low + 1e-9)
+        if (!ways_[k].rapid && std::max(ways_[k].z0, ways_[k].z1) <= low - below + 1e-9)
           before.push_back({{ways_[k].x0, ways_[k].y0}, {ways_[k].x1, ways_[k].y1}});
-        else if (!ways_[k].rapid && std::min(ways_[k].z0, ways_[k].z1) <= low + 1e-9) {
+        else if (!ways_[k].rapid && std::min(ways_[k].z0, ways_[k].z1) <= low - below + 1e-9) {
           const bool first = ways_[k].z0 < ways_[k].z1;
           const Vec2 p{first ? ways_[k].x0 : ways_[k].x1, first ? ways_[k].y0 : ways_[k].y1};
           before.push_back({p, p});
@@ -280,8 +284,8 @@ std::map<int, double> sampled_engagement(const Part& part, const std::string& pr
   return most;
 }
 
-ClaimFaults judged(const Part& part, const std::string& program, double diameter) {
-  return Judge(part, program, diameter).faults();
+ClaimFaults judged(const Part& part, const std::string& program, double diameter, double off_height) {
+  return Judge(part, program, diameter).faults(off_height);
 }
 
 }  // namespace clearcut::test_support

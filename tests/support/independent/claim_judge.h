@@ -13,10 +13,12 @@ struct ClaimFaults {
   double uncut = -1;  ///< beyond the cutter's reach, at a place that the cutter can reach
   double gouge = -1;  ///< into walls and floors
   double rapid = -1;  ///< of rapids into material, from the cutter's rim
+  double rapid_off_height = -1;  ///< the same if the control keeps heights within a tolerance: rapids lower, feeds higher
 };
 
 /// Judges a program of the LinuxCNC post for the first feature of a part, cut by one flat cutter, with a stock as high as the feature.
-ClaimFaults judged(const Part& part, const std::string& program, double diameter);
+/// `off_height` in mm: how far the control may leave the heights of the program.
+ClaimFaults judged(const Part& part, const std::string& program, double diameter, double off_height = 0);
 
 /// Greatest engagement in degrees of each level feed below the top, by its line, sampled `spacing` mm and `degrees` apart. The rim is
 /// looked at `rim` mm within the cutter.
