@@ -137,8 +137,8 @@ def engagement(tables):
 
 # Page -> name of a mark -> what stands there.
 MADE = {
-    "methods.md": {"lengths of the star": lambda tables: lengths(tables, "concave", "six-pointed star"),
-                   "lengths of the quadrilateral": lambda tables: lengths(tables, "convex", "acute quadrilateral")},
+    "methods.md": {"lengths of the star": lambda tables: lengths(tables, "concave", "four-pointed star"),
+                   "lengths of the quadrilateral": lambda tables: lengths(tables, "convex", "quadrilateral")},
     "tour.md": {"fishhead": readings, "fishhead-published": programs, "objectives": objectives,
                 "turns of short tours": turns_of_short_tours, "tour-engagement": engagement},
 }

@@ -49,10 +49,10 @@ Region equilateral(double edge) {
   return Region::from_valid_loops(loop_from_points(corners), {});
 }
 
-Region star(double side, double tip) {
+Region star(int tips, double side, double tip) {
   SideList list;
-  for (int i = 0; i < 6; ++i) {
-    list.sides.push_back({side, Radians::of_degrees(300 - tip).radians(), 0});
+  for (int i = 0; i < tips; ++i) {
+    list.sides.push_back({side, Radians::of_degrees(360.0 * (tips - 1) / tips - tip).radians(), 0});
     list.sides.push_back({side, Radians::of_degrees(tip).radians(), 0});
   }
   return outline_of(list);

@@ -28,8 +28,8 @@ std::optional<PlanResult> planned_outline(const Part& part, const OutlineMethod&
 
 Region outline_of(const SideList& list);
 Region equilateral(double edge);
-/// A six-pointed star: twelve sides of `side` mm, tips of `tip` degrees.
-Region star(double side, double tip);
+/// A regular star with so many tips of `tip` degrees; its sides have `side` mm.
+Region star(int tips, double side, double tip);
 /// Radius of the greatest circle in the polygon of CPO-rho table 3, mm.
 inline constexpr double kInscribed = 20.46;
 /// Five corners, the sharpest of 30 degrees as the paper's (figure 10 prints its rho), with that circle.

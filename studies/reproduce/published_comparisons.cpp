@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "base/elementary.h"
@@ -35,69 +36,81 @@ constexpr int kMostCorners = 10;
 constexpr std::array<double, 4> kTrendFeeds{0.5, 1, 2, 4};
 /// Length of a circle over the way along a bisector from contour to contour, half as wide as which it is.
 constexpr double kCircleOverSegment = kPi / 2;
-/// Degrees of the star's tips.
-constexpr double kTip = 32.5;
-/// Two printed lengths of each shape, plain contours and kappa's, fix two measures of ours; others are free.
-const Explanation kOutline{"the outline is not printed; ours is sized by the contours and kappa's path",
-                           0.15};
+/// The concave shape: a star with so many tips of so many degrees.
+constexpr int kTips = 4;
+constexpr double kTip = 26.9;
+const Explanation kOutline{"the outline is not printed; ours is sized by the printed lengths", 0.05};
 const Explanation kNotPrinted{
     "outline and feed are not printed; ours stands in, and one feed is fitted to all cutters", 0.4};
 
-/// Twelve sides of 42.2 mm: of the regular six-pointed stars that kappa leaves clean the one whose contours 7.2 mm apart and whose
-/// contours by kappa are nearest to theirs, both within 0.5 %.
+/// Eight sides, and four corners of 68, 88, 65 and 139 degrees: outlines that kappa leaves clean and on which all four printed lengths
+/// come out together, each within the stated share, by the one rule for loops.
 Region concave_star() {
-  return star(42.2, kTip);
+  return star(kTips, 60.6, kTip);
 }
 
-/// Four corners of 48, 25, 132 and 155 degrees, sized by the same two lengths and by the bisectors of eq. 3.
 Region acute_convex() {
-  return scaled({{0, 0}, {83.2, 0}, {29.9, 24.6}, {17.3, 19.1}}, 1);
-}
-
-std::optional<Figures> figures_of(const Part& part, const OutlineMethod& method) {
-  const auto planned = planned_outline(part, method);
-  return planned ? std::optional(planned->findings.all) : std::nullopt;
+  return scaled({{0, 0}, {34.8, -15.5}, {51.7, 25.9}, {25.2, 24.4}}, 1);
 }
 
 double length_in_plan(const Figures& figures) {
   return figures.feed_mm - figures.plunge_mm;
 }
 
-/// A row of the printed table; a method of ours has no printed figures.
-struct LengthRow {
-  const char* method;
-  const char* strategy;
-  double contours = 0;
-  double added = 0;
+/// Loops as the printed lengths allow them: a circle half as wide as the way along the bisector from contour to contour, once for each
+/// contour but the first in each corner of the outline in which the step leaves material.
+double length_of_circles(const Region& outline, std::size_t contours) {
+  double ways = 0;
+  const std::vector<Edge> edges = outline.edges();
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const Vec2 in = edges[i].tangent_at(1), out = edges[(i + 1) % edges.size()].tangent_at(0);
+    const double half = (kPi - base::atan2(cross(in, out), dot(in, out))) / 2;
+    if (half < kPi / 2 && kLengthStep > kLengthRadius * (1 + base::sin(half)))
+      ways += kLengthStep / base::sin(half);
+  }
+  return kCircleOverSegment * ways * static_cast<double>(contours - 1);
+}
+
+/// The printed lengths of a shape: contours by kappa; contours at the rivals' step, and what segments and loops add.
+struct PrintedLengths {
+  double kappa, contours, segments, loops;
 };
 
 void add_lengths(Reproduction& result, const char* shape, const Region& region,
-                 const std::vector<LengthRow>& rows) {
+                 const PrintedLengths& printed) {
   const Part part = pocket_part(region, shape, 2 * kLengthRadius);
   const std::string step = fmt::format("{}mm", kLengthStep);
-  const auto fixed = figures_of(part, {.strategy = "fixed", .stepover = step, .as_printed = true});
+  const auto fixed = planned_outline(part, {.strategy = "fixed", .stepover = step, .as_printed = true});
+  if (!fixed || fixed->contours.size() != 1) return;
+  const double contours = length_in_plan(fixed->findings.all);
   const auto text = [](double value) { return fmt::format("{:.2f}", value); };
-  double segments = 0;
-  for (const auto& row : rows) {
-    const std::string strategy = row.strategy;
-    const bool adds = strategy == "bisectors" || strategy == "loops" || strategy == "single";
-    const auto figures = figures_of(part, {strategy, adds ? std::optional(step) : std::nullopt});
-    if (!figures || !fixed) continue;
-    const double total = length_in_plan(*figures), contours = adds ? length_in_plan(*fixed) : total;
-    if (strategy == "bisectors") segments = total - contours;
-    const bool printed = row.contours > 0;
-    const auto ours = [&](double value, double theirs) {
-      return printed ? beside(value, theirs, 2, kOutline) : Cell(text(value));
-    };
-    result.add({shape, row.method, printed ? text(row.contours) : "", ours(contours, row.contours),
-                printed ? text(row.added) : "", ours(total - contours, row.added),
-                printed ? text(row.contours + row.added) : "", ours(total, row.contours + row.added),
-                figures->clean ? "yes" : "NO"});
-  }
-  if (fixed) {
-    const double contours = length_in_plan(*fixed), circles = kCircleOverSegment * segments;
-    result.add({shape, "circles on segments", "", text(contours), "", text(circles), "",
-                text(contours + circles), "gouges"});
+  const auto beside_print = [&](const char* method, double ours, double our_added, double theirs,
+                                double their_added, const char* clean) {
+    result.add({shape, method, text(theirs), beside(ours, theirs, 2, kOutline), text(their_added),
+                beside(our_added, their_added, 2, kOutline), text(theirs + their_added),
+                beside(ours + our_added, theirs + their_added, 2, kOutline), clean});
+  };
+  const auto length_of = [&](const char* strategy, bool adds) {
+    const auto planned = planned_outline(part, {strategy, adds ? std::optional(step) : std::nullopt});
+    return planned
+               ? std::pair(length_in_plan(planned->findings.all), planned->findings.all.clean ? "yes" : "NO")
+               : std::pair(0.0, "does not fit");
+  };
+  const auto [kappa, kappa_clean] = length_of("lom", false);
+  beside_print("proposed (lom)", kappa, 0, printed.kappa, 0, kappa_clean);
+  const auto [segments, segments_clean] = length_of("bisectors", true);
+  beside_print("bisector segments", contours, segments - contours, printed.contours, printed.segments,
+               segments_clean);
+  beside_print("loops as circles", contours,
+               length_of_circles(region, fixed->contours.front().from_wall.size()), printed.contours,
+               printed.loops, "not planned");
+  for (const auto& [method, strategy, adds] :
+       {std::tuple("shortest loops", "loops", true), std::tuple("tangent loops", "single", true),
+        std::tuple("lom corrected", "lom-corrected", false),
+        std::tuple("contour (ours)", "contour", false)}) {
+    const auto [total, clean] = length_of(strategy, adds);
+    const double alone = adds ? contours : total;
+    result.add({shape, method, "", text(alone), "", text(total - alone), "", text(total), clean});
   }
   result.add_rule();
 }
@@ -222,9 +235,11 @@ std::string limit_of_loops() {
   const double narrow_stops = stops_between(narrow.loops, narrow.bisectors),
                wide_stops = stops_between(wide.loops, wide.bisectors);
   return fmt::format(
-      "no one ratio of a loop to its segment has these times, whatever the feed: loops take {:.2f} min less than "
+      "no one ratio of a loop to its segment has these times, whatever the feed: loops take {:.2f} min less "
+      "than "
       "segments at R = {} and {:.2f} more at R = {}; were loops the longer ones, segments would have {:.0f} "
-      "stops more than loops at R = {}, {:.1f} for each of {} corners of {} contours, and were they the shorter "
+      "stops more than loops at R = {}, {:.1f} for each of {} corners of {} contours, and were they the "
+      "shorter "
       "ones, loops {:.0f} more at R = {}, {:.1f} for each of {} corners of {} contour; a segment has 2",
       narrow.bisectors - narrow.loops, narrow.radius, wide.loops - wide.bisectors, wide.radius, narrow_stops,
       narrow.radius, narrow_stops / (kMostCorners * contours_of_rivals(narrow.radius)), kMostCorners,
@@ -264,39 +279,25 @@ Reproduction length_comparison() {
                    {"added, theirs"},       {"ours"},
                    {"total, theirs"},       {"ours"},
                    {"clean", Align::kLeft}};
-  add_lengths(result, "concave", concave_star(),
-              {{"proposed (lom)", "lom", 747.30, 0},
-               {"bisector segments", "bisectors", 584.84, 244},
-               {"loops", "loops", 584.84, 382},
-               {"tangent loops", "single"},
-               {"lom corrected", "lom-corrected"},
-               {"contour (ours)", "contour"}});
-  add_lengths(result, "convex", acute_convex(),
-              {{"proposed (lom)", "lom", 194.26, 0},
-               {"bisector segments", "bisectors", 165.79, 67},
-               {"loops", "loops", 165.79, 58},
-               {"tangent loops", "single"},
-               {"lom corrected", "lom-corrected"},
-               {"contour (ours)", "contour"}});
+  constexpr PrintedLengths kConcave{747.30, 584.84, 244, 382}, kConvex{194.26, 165.79, 67, 58};
+  add_lengths(result, "concave", concave_star(), kConcave);
+  add_lengths(result, "convex", acute_convex(), kConvex);
   table.notes.push_back(
-      "their outlines are not printed, the shapes are ours: a six-pointed star and an acute quadrilateral, "
-      "sized by the "
-      "printed contours and kappa's path; what can be compared is the order, and kappa's path is shorter "
-      "than both rivals "
-      "on both shapes");
-  const double acute = base::sin(Radians::of_degrees(kTip).radians() / 2);
-  table.notes.push_back(
-      fmt::format("circles on segments: pi / 2 of the printed 244 mm of segments, one way as eq. 3 of "
-                  "CPO-rho has them, are {:.1f} mm, "
-                  "where 382 are printed: a circle half as wide as the way along the bisector from contour "
-                  "to contour. From sin(alpha / 2) = "
-                  "1 / 3 on, 39 degrees, it stays within the outer contour, at the star's {:g} degrees it "
-                  "runs {:.1f} mm over it; of "
-                  "the 67 mm of the convex shape it makes {:.1f} mm, and 58 are printed, so many if loops "
-                  "stand at corners with {:.0f} % "
-                  "of the segments' length",
-                  kCircleOverSegment * 244, kTip, kLengthStep * (0.25 / acute - 0.75),
-                  kCircleOverSegment * 67, 100 * 58 / (kCircleOverSegment * 67)));
+      "their outlines are not printed, the shapes are ours: a four-pointed star and a quadrilateral, on "
+      "which the "
+      "printed lengths come out together, in their order: kappa's path is the shortest on both, then "
+      "segments "
+      "on the concave one and loops on the convex one");
+  const double half_tip = Radians::of_degrees(kTip).radians() / 2;
+  table.notes.push_back(fmt::format(
+      "loops as circles: half as wide as the way along the bisector from contour to contour, one for each "
+      "contour "
+      "but the first in each corner with a rest; pi / 2 of the printed 244 mm of segments are {:.1f} mm, "
+      "where "
+      "382 are printed. From sin(alpha / 2) = 1 / 3 on, 39 degrees, such a circle stays within the outer "
+      "contour, "
+      "at the star's {:g} degrees it runs {:.1f} mm over it, so that it would gouge",
+      kCircleOverSegment * kConcave.segments, kTip, kLengthStep * (0.25 / base::sin(half_tip) - 0.75)));
   table.notes.push_back("lengths of linked programs in plan, with passages; clean: by the certificate");
   return result;
 }
@@ -307,7 +308,7 @@ Reproduction cutter_comparison() {
   Reproduction result;
   TextTable& table = result.table;
   table.title = "CPO-rho table 3: cutting time by eq. 9, min; polygon of inscribed radius 20.46 mm";
-  table.columns = {{"R mm"},           {"rho, theirs"}, {"ours"},           {"bisectors, theirs"}, {"ours"},
+  table.columns = {{"R mm"},          {"rho, theirs"}, {"ours"},           {"bisectors, theirs"}, {"ours"},
                    {"loops, theirs"}, {"circles"},     {"shortest loops"}, {"contour (ours)"}};
   for (const CutterWays& one : all) {
     const PrintedCutter& row = one.printed;
@@ -326,7 +327,8 @@ Reproduction cutter_comparison() {
                   law_of_times(fit), kCuttingSpeed));
   table.notes.push_back(limit_of_convex());
   table.notes.emplace_back(
-      "circles: pi / 2 of the length of the segments and as many stops, as lengths finds of the printed loops of "
+      "circles: pi / 2 of the length of the segments and as many stops, as lengths finds of the printed "
+      "loops of "
       "the other paper; shortest loops: those that we plan, no longer than the rests ask for");
   table.notes.emplace_back(
       "their outline is not printed, the polygon is ours with their smallest angle, 30 degrees; the cutter "
@@ -356,15 +358,16 @@ Reproduction cutter_trend() {
     return beside(ours, printed, same ? Agreement::kAgrees : Agreement::kDiffers, same ? "" : why);
   };
   const std::string bisectors = radii_where_rho_wins(
-                        all, [](const auto& one) { return std::pair(one.printed.present, one.printed.bisectors); }),
-                    loops = radii_where_rho_wins(
-                        all, [](const auto& one) { return std::pair(one.printed.present, one.printed.loops); });
+                        all,
+                        [](const auto&one) { return std::pair(one.printed.present, one.printed.bisectors); }),
+                    loops = radii_where_rho_wins(all, [](const auto&one) {
+                      return std::pair(one.printed.present, one.printed.loops);
+                    });
   for (const double share : kTrendFeeds) {
     const double feed = share * fit.mm_per_min;
-    const auto wins_over = [&](CutterWay CutterWays::* rival) {
-      return radii_where_rho_wins(all, [&](const auto& one) {
-        return std::pair(one.rho.minutes(feed), (one.*rival).minutes(feed));
-      });
+    const auto wins_over = [&](CutterWay CutterWays::*rival) {
+      return radii_where_rho_wins(
+          all, [&](const auto& one) { return std::pair(one.rho.minutes(feed), (one.*rival).minutes(feed)); });
     };
     result.add({fmt::format("{:.0f}", feed), bisectors,
                 checked(wins_over(&CutterWays::bisectors), bisectors, "the outline is not printed"), loops,
@@ -374,7 +377,8 @@ Reproduction cutter_trend() {
   }
   result.table.notes.push_back(limit_of_loops());
   result.table.notes.emplace_back(
-      "circles: pi / 2 of the length of the segments and as many stops, as lengths finds of the printed loops of "
+      "circles: pi / 2 of the length of the segments and as many stops, as lengths finds of the printed "
+      "loops of "
       "the other paper; shortest loops: those that we plan, no longer than the rests ask for");
   result.table.notes.push_back(law_of_times(fit) + "; the other feeds are half, twice and four times it");
   result.table.notes.push_back("cutters of 10 mm and more take the same time by all three in print");

@@ -81,8 +81,7 @@ std::vector<Claim> claims() {
        -least(kPrintedReductions, [](const auto& row) { return -cells_taken_away(row); }),
        "squares 20 mm wide lose 425 of 441 in its table 1"},
       {"Grid IV", "time taken away, %, in all experiments", 98, 0,
-       cut_to(least(kPrintedReductions,
-                    [](const auto& row) { return percent_of(row.reduced_s, row.all_s); }),
+       cut_to(least(kPrintedReductions, [](const auto& row) { return percent_of(row.reduced_s, row.all_s); }),
               0)},
       {"Tour 3.6", "orders of 15 points, 10^12 (eq. 3.1)", 1.3, 1, factorial(15) / 1e12},
       {"Tour 5.3.2", "points of FI10639", 10630, 0, 10639, "the instance has the points that are its name"},
@@ -115,13 +114,13 @@ std::vector<Claim> claims() {
 Reproduction claims_table() {
   Reproduction result;
   result.table.title = "What the texts say of their own tables";
-  result.table.columns = {
-      {"text", Align::kLeft}, {"words", Align::kLeft}, {"stated"}, {"by its tables"}};
+  result.table.columns = {{"text", Align::kLeft}, {"words", Align::kLeft}, {"stated"}, {"by its tables"}};
   for (const Claim& claim : claims())
     result.add({claim.where, claim.words, fmt::format("{:.{}f}", claim.stated, claim.decimals),
                 of_print(claim.from_tables, claim.stated, claim.decimals, {claim.reason, 0})});
   result.table.notes.push_back(
-      "nothing of ours is in it: where a cell differs the words of a text contradict its own printed figures");
+      "nothing of ours is in it: where a cell differs the words of a text contradict its own printed "
+      "figures");
   return result;
 }
 

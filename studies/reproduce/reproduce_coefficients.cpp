@@ -182,7 +182,7 @@ Reproduction caption_figures() {
     result.figures.push_back(passes_figure(std::string("contours of ") + name, {outline},
                                            contours_of(outline, radius, 2 * radius * share)));
   };
-  add("CPO-kappa 9: kappa, star, R = 8 mm", star(kStarSide, kStarTip), 8, "lom", 0.8535);
+  add("CPO-kappa 9: kappa, star, R = 8 mm", star(6, kStarSide, kStarTip), 8, "lom", 0.8535);
   add("CPO-rho 10: rho, R = 4 mm", inscribed_polygon({}), 4, "rho", 0.5970);
   add("CPO-rho 11: rho, triangle of 100 mm, R = 8 mm", equilateral(100), 8, "rho", 0.7187);
   result.table.notes.push_back(

@@ -197,24 +197,32 @@ void add_printed_jobs(Reproduction& result) {
   }
 }
 
-/// Points of a feature's largest grid for the end mill; open layers enlarged by `by` mm.
-std::size_t grid_points(const std::string& feature, double pitch, double by) {
+/// Layers of 2 mm of a feature by the end mill.
+std::vector<Layer> layers_of_feature(const std::string& feature) {
   PlanOptions options;
   options.stepdown = 2;
   const Part part = resolve::prepare(fishhead(false, {}), options);
-  std::size_t largest = 0;
+  std::vector<Layer> all;
   for (const auto& step : part.workplan) {
     if (feature_of(part, step).name != feature) continue;
-    auto layers = plan::layers_of(feature_of(part, step), step.operation, kOrdersMill / 2, {});
-    if (layers.empty()) continue;
-    Layer layer = layers.front();
-    layer.tool_radius = kOrdersMill / 2;
-    if (!plan::closed_all_round(layer)) layer.target = enlarged(layer.target, by);
-    layer.allowed = layer.target;
-    with_largest_grid(layer, pitch, [&](const plan::tour::TourTask& task) {
-      largest = std::max(largest, task.points.size());
-    });
+    for (Layer& layer : plan::layers_of(feature_of(part, step), step.operation, kOrdersMill / 2, {}))
+      all.push_back(std::move(layer));
   }
+  return all;
+}
+
+/// Points of a feature's largest grid for the end mill; open layers enlarged by `by` mm.
+std::size_t grid_points(const std::string& feature, double pitch, double by) {
+  std::vector<Layer> layers = layers_of_feature(feature);
+  if (layers.empty()) return 0;
+  Layer& layer = layers.front();
+  layer.tool_radius = kOrdersMill / 2;
+  if (!plan::closed_all_round(layer)) layer.target = enlarged(layer.target, by);
+  layer.allowed = layer.target;
+  std::size_t largest = 0;
+  with_largest_grid(layer, pitch, [&](const plan::tour::TourTask& task) {
+    largest = std::max(largest, task.points.size());
+  });
   return largest;
 }
 
@@ -322,13 +330,22 @@ Reproduction grid_points_table() {
                               0.02}),
                 ours("PLANAR_FACE3"), ours("PLANAR_FACE4")});
   };
-  add("50 % of D, faces enlarged by D (7.6)", kOrdersMill / 2, kOrdersMill, "1096");
+  constexpr int kPrintedPoints = 1096;
+  add("50 % of D, faces enlarged by D (7.6)", kOrdersMill / 2, kOrdersMill,
+      std::to_string(kPrintedPoints).c_str());
   add("50 % of D, faces enlarged by R", kOrdersMill / 2, kOrdersMill / 2, "");
   add("50 % of D, faces as closed pockets", kOrdersMill / 2, 0, "");
   add("D, faces enlarged by D", kOrdersMill, kOrdersMill, "");
   result.table.notes.push_back(
       "the printed number pins the grid of table 6.5: half a diameter, faces enlarged by a diameter, so that "
       "the cutter goes round outside the stock; a whole diameter has a quarter of the points");
+  const std::size_t layers = layers_of_feature("PLANAR_FACE2").size();
+  const double least = (kPrintedPoints - 1) * kOrdersMill / 2 * static_cast<double>(layers) / 1000;
+  result.table.notes.push_back(
+      fmt::format("the text's own figures exclude each other: {} points {:g} mm apart in the {} layers of "
+                  "FACE2 take at least "
+                  "{:.1f} m of feed in any order, and table 6.5 prints {:.1f} m for all features together",
+                  kPrintedPoints, kOrdersMill / 2, layers, least, kPrintedJobs.front().feed / 1000.0));
   return result;
 }
 

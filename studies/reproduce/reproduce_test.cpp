@@ -153,6 +153,7 @@ TEST(Reproduction, AChangeOfOnePerCentShowsInEveryTableThatAgrees) {
   int tables = 0;
   for (const auto& table : reproducible_tables()) {
     if (table.cost_s > kOfFormulas) continue;
+    if (std::string(table.name) == "claims") continue;  // stated to whole per cents
     const Reproduction& figures = made(table);
     for (const double factor : {0.99, 1.01}) {
       int differ = 0, cells = 0;
@@ -285,6 +286,30 @@ TEST(Texts, RowsThatDifferSayInHowManyCells) {
   EXPECT_EQ(compared, 4);
 }
 
+/// CPO-rho table 3, by its own figures: at a step of 0.9 a loop over its segment is a matter of the angle alone, and stops do not make
+/// up for the rest, as a segment has two.
+TEST(Texts, NoRatioOfLoopsToSegmentsHasThePrintedTimes) {
+  const auto& notes = made(reproducible_table("cutter-trend")).table.notes;
+  static const std::regex stops(
+      R"(no one ratio .* ([0-9]+) stops more .*, ([0-9.]+) for each of 10 corners of 6 contours, .* )"
+      R"(loops ([0-9]+) more at R = 9, ([0-9.]+) for each of 10 corners of 1 contour; a segment has 2)");
+  std::smatch match;
+  ASSERT_TRUE(std::regex_match(notes.front(), match, stops)) << notes.front();
+  EXPECT_EQ(std::stoi(match[1]), std::lround(60 * (17.23 - 15.46) / (2 * 0.177)));
+  EXPECT_EQ(std::stoi(match[3]), std::lround(60 * (4.76 - 3.49) / (2 * 0.177)));
+  for (const std::size_t at_a_corner : {2U, 4U}) EXPECT_GT(std::stod(match[at_a_corner]), 2);
+}
+
+/// Points of 5.3.2 and feed of table 6.5: (1096 - 1) 5 mm in each of five layers are more than all features take.
+TEST(Texts, PrintedPointsAndPrintedFeedExcludeEachOther) {
+  const std::string note = made(reproducible_table("points")).table.notes.back();
+  EXPECT_NE(
+      note.find(
+          "the 5 layers of FACE2 take at least 27.4 m of feed in any order, and table 6.5 prints 25.3 m"),
+      std::string::npos)
+      << note;
+}
+
 /// All that holds of a table that takes no longer than a second or two, in one test, as each is made once for it.
 TEST(Texts, QuickTablesAreAsThePagesSay) {
   const auto said = documented_agreement();
@@ -323,7 +348,8 @@ TEST(Texts, PrintedFiguresOfLongTablesAreThoseOfTheirSources) {
   for (const auto& [table, source] : {std::pair("fishhead", "reproduce_orders.cpp"),
                                       std::pair("fishhead-published", "reproduce_published.cpp"),
                                       std::pair("objectives", "reproduce_objectives.cpp")}) {
-    const std::string code = read_file(std::string(CLEARCUT_SOURCE_DIR "/studies/reproduce/") + source);
+    const std::string folder = CLEARCUT_SOURCE_DIR "/studies/reproduce/";
+    const std::string code = read_file(folder + source) + read_file(folder + "printed_figures.h");
     const std::string section = section_of(page, table);
     std::vector<std::string> printed = printed_in(section);
     for (const std::string& cell : cells_of_print(section)) printed.push_back(cell);
@@ -365,23 +391,32 @@ TEST(Texts, TheTableOfTheAlgorithmHasTheRowsOfItsSource) {
   EXPECT_EQ(rows, 9);
 }
 
-/// CPO-kappa table 1: kappa's path is shorter than those of both rivals on either shape, as the paper concludes.
-TEST(Reproduction, KappasPathIsTheShortestOfThree) {
+/// CPO-kappa table 1: the methods of either shape are in the printed order, kappa's path first.
+TEST(Reproduction, MethodsOfTheTableOfLengthsAreInThePrintedOrder) {
   const Reproduction& table = made(reproducible_table("lengths"));
-  std::map<std::string, std::map<std::string, double>> totals;
-  for (const auto& row : table.table.rows)
-    if (row.size() > 7 && !row[6].empty()) totals[row[0]][row[1]] = std::stod(row[7]);
-  ASSERT_EQ(totals.size(), 2U);
-  for (const auto& [shape, of] : totals) {
-    EXPECT_LT(of.at("proposed (lom)"), of.at("loops")) << shape;
-    EXPECT_LT(of.at("loops"), of.at("bisector segments")) << shape;
+  std::map<std::string, std::map<double, std::string>> printed, ours;  // shape -> total -> method
+  for (const auto& row : table.table.rows) {
+    if (row.size() < 8 || row[6].empty()) continue;
+    printed[row[0]][std::stod(row[6])] = row[1];
+    ours[row[0]][std::stod(row[7])] = row[1];
+  }
+  const auto order = [](const std::map<double, std::string>& by_total) {
+    std::vector<std::string> methods;
+    for (const auto& [total, method] : by_total) methods.push_back(method);
+    return methods;
+  };
+  ASSERT_EQ(printed.size(), 2U);
+  for (const auto& [shape, by_total] : printed) {
+    EXPECT_EQ(order(ours[shape]), order(by_total)) << shape;
+    EXPECT_EQ(by_total.begin()->second, "proposed (lom)") << shape;
   }
 }
 
-/// "V_f = 88 mm/min as fitted ... at most 39 %" of the notes below a table.
+/// "V_f = 76 mm/min as fitted ... at most 41 %" of the notes below a table.
 std::string law_in(const Reproduction& table) {
   const std::regex law(
-      "V_f = ([0-9]+) mm/min as fitted to rho's: relative residual [0-9]+ % [(][^)]*[)], at most [0-9]+ %");
+      "V_f = ([0-9]+) mm/min as fitted to all of them: relative residual [0-9]+ % [(][^)]*[)], at most "
+      "[0-9]+ %");
   std::smatch found;
   for (const std::string& note : table.table.notes)
     if (std::regex_search(note, found, law)) return found[0];

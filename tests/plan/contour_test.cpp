@@ -265,6 +265,23 @@ TEST(Contour, PublishedAdditionsClearTheStarAtAPrice) {
   EXPECT_LT(feed_length(ours), spurs);
 }
 
+/// Lin et al. look for uncut regions first: where the ring at the wall leaves none, no bisector is added. 9 mm are left within the ring
+/// of the cutter of 11 mm, 11 mm within that of 9 mm.
+TEST(Contour, BisectorsAreAddedWhereSomethingIsLeft) {
+  for (const auto& [radius, is_left] : {std::pair(11.0, false), std::pair(9.0, true)}) {
+    const Layer layer = pocket_layer(rectangle(50, 40), 2 * radius);
+    const auto passes_with = [&](plan::contour::ResidualRule rule) {
+      auto options = stepping("0.9");
+      options.residuals = rule;
+      return plan::contour::plan_contour(layer, options, kTol).passes.size();
+    };
+    EXPECT_EQ(passes_with(plan::contour::ResidualRule::kBisectors) >
+                  passes_with(plan::contour::ResidualRule::kNone),
+              is_left)
+        << radius;
+  }
+}
+
 /// The wall ring is the part of the way on the rim of the legal area.
 TEST(Contour, RunsWithTheWallOnTheSideAskedFor) {
   const Layer layer = pocket_layer(rectangle(50, 40), 6);

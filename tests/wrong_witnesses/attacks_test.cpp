@@ -664,8 +664,10 @@ TEST(Engagement, WrongProgramsClaimNoLessThanSampling) {
       }
       ++attacks;
       if (stated[0].empty() && stated[1].empty() && stated[2].empty()) continue;
-      const auto before = sampled_engagement(right->part, right->program, right->diameter, rim_of(*right), 0.3, 2);
-      const auto sampled = sampled_engagement(wrong.part, wrong.program, wrong.diameter, rim_of(wrong), 0.3, 2);
+      const auto before =
+          sampled_engagement(right->part, right->program, right->diameter, rim_of(*right), 0.3, 2);
+      const auto sampled =
+          sampled_engagement(wrong.part, wrong.program, wrong.diameter, rim_of(wrong), 0.3, 2);
       for (const auto& of : stated)
         for (const auto& [line, degrees] : of) {
           ++lines;
@@ -674,8 +676,8 @@ TEST(Engagement, WrongProgramsClaimNoLessThanSampling) {
           higher += old != before.end() && found->second > old->second + 2.1;
           if (degrees >= found->second - 2.1) continue;
           ++faults;
-          ADD_FAILURE() << "part " << seed << " attack " << i << " " << change->kind << " line " << line << ": "
-                        << degrees << " degrees stated, " << found->second << " sampled";
+          ADD_FAILURE() << "part " << seed << " attack " << i << " " << change->kind << " line " << line
+                        << ": " << degrees << " degrees stated, " << found->second << " sampled";
         }
     }
   }

@@ -103,13 +103,29 @@ TEST(StepRule, ValuesPerContour) {
 
 /// CPO-kappa alg. 3: where the next contour would vanish and R < A < 2R, a reduced loop 3/2 R kappa farther in.
 TEST(StepRule, AReducedLoopInTheCentre) {
-  // Half widths of 14 and 13 mm and a step of 8.54: A = 9 lets the plain step fit, A = 8 does not.
-  const auto plain = levels_of(polygon({{0, 0}, {28, 0}, {28, 28}, {0, 28}}), "lom", 5);
+  // Half widths of 13.55 and 13 mm and a step of 8.5355: A = 8.55 lets the plain step fit, A = 8 does not.
+  const auto plain = levels_of(polygon({{0, 0}, {27.1, 0}, {27.1, 27.1}, {0, 27.1}}), "lom", 5);
   ASSERT_EQ(plain.size(), 2u);
   EXPECT_NEAR(plain[1] - plain[0], 10 * kappa(kPi / 2), 1e-9);
   const auto reduced = levels_of(polygon({{0, 0}, {26, 0}, {26, 26}, {0, 26}}), "lom", 5);
   ASSERT_EQ(reduced.size(), 2u);
   EXPECT_NEAR(reduced[1] - reduced[0], 7.5 * kappa(kPi / 2), 1e-9);
+}
+
+/// Contours of all pockets of a layer, those as far from the wall as each other as one.
+TEST(StepRule, ContoursOfTwoPocketsAtOneDistanceAreOne) {
+  const Regions pockets{polygon({{0, 0}, {30, 0}, {30, 30}, {0, 30}}),
+                        polygon({{40, 0}, {70, 0}, {70, 30}, {40, 30}})};
+  const auto steps = contour_steps(pockets, parse_step_rule("lom"), 5, 5, kTol);
+  ASSERT_EQ(steps.size(), 2u);
+  EXPECT_EQ(steps[0].from_wall, 5);
+  EXPECT_NEAR(steps[1].from_wall, 5 + 10 * kappa(kPi / 2), 1e-9);
+}
+
+TEST(StepRule, LinesAreAFractionOfTheDiameterApart) {
+  EXPECT_EQ(line_distance(Stepover{"0.4"}, 10), 4);
+  EXPECT_EQ(line_distance(Stepover{"4.5mm"}, 10), 4.5);
+  EXPECT_EQ(line_distance(Stepover{}, 10), std::nullopt);
 }
 
 TEST(StepRule, SaysWhatItTakes) {

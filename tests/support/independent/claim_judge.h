@@ -13,7 +13,8 @@ struct ClaimFaults {
   double uncut = -1;  ///< beyond the cutter's reach, at a place that the cutter can reach
   double gouge = -1;  ///< into walls and floors
   double rapid = -1;  ///< of rapids into material, from the cutter's rim
-  double rapid_off_height = -1;  ///< the same if the control keeps heights within a tolerance: rapids lower, feeds higher
+  double rapid_off_height =
+      -1;  ///< the same if the control keeps heights within a tolerance: rapids lower, feeds higher
 };
 
 /// Judges a program of the LinuxCNC post for the first feature of a part, cut by one flat cutter, with a stock as high as the feature.
