@@ -78,11 +78,16 @@ Wide square(Point a) {
 Wide square(Wide a) {
   return a * a;
 }
-Wide root_down(Wide value) {
-  Wide root = 0;
-  for (Wide bit = Wide(1) << 62; bit > 0; bit >>= 1)
-    if (square(root + bit) <= value) root += bit;
+/// The greatest number of at most `bits` + 1 bits whose square is no greater.
+template <typename Number>
+Number root_of_bits(Number value, int bits) {
+  Number root = 0;
+  for (Number bit = Number(1) << bits; bit > 0; bit >>= 1)
+    if ((root + bit) * (root + bit) <= value) root += bit;
   return root;
+}
+Wide root_down(Wide value) {
+  return value >> 62 == 0 ? root_of_bits(Int(value), 30) : root_of_bits(value, 62);
 }
 Wide root_up(Wide value) {
   return value > 0 ? root_down(value - 1) + 1 : 0;
