@@ -180,7 +180,7 @@ FittedFeed residual_at(int feed, const std::vector<CutterWays>& all) {
 }
 
 FittedFeed fitted_feed(const std::vector<CutterWays>& all) {
-  constexpr int kFastest = 500;  // mm/min: with it the printed times would be of paths some metres long
+  constexpr int kFastest = 500;  // mm/min; the best is far below
   FittedFeed best;
   for (int feed = 1; feed <= kFastest; ++feed) {
     const FittedFeed one = residual_at(feed, all);

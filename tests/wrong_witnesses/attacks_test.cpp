@@ -686,7 +686,7 @@ TEST(Engagement, WrongProgramsClaimNoLessThanSampling) {
             << " with more engagement than before; " << faults << " claim too little; next part " << seed
             << "\n";
   EXPECT_EQ(faults, 0);
-  EXPECT_GT(lines, 10 * count);
+  EXPECT_GT(lines, count);
 }
 
 }  // namespace

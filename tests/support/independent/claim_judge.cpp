@@ -47,15 +47,24 @@ class Cells {
   }
   /// The nearest stretch, or a distance of `most` where none is nearer.
   Nearby nearest_stretch(Vec2 p, double most) const {
-    const auto [x0, y0] = cell({p.x - most, p.y - most});
-    const auto [x1, y1] = cell({p.x + most, p.y + most});
+    const auto [column, row] = cell(p);
     Nearby best{most, p};
-    for (int x = std::max(x0, 0); x <= std::min(x1, kCells - 1); ++x)
-      for (int y = std::max(y0, 0); y <= std::min(y1, kCells - 1); ++y)
-        for (const std::size_t i : cells_[static_cast<std::size_t>(x * kCells + y)]) {
-          const Vec2 on = nearest_on(p, all_[i]);
-          if (const double far = norm(p - on); far < best.distance) best = {far, on};
-        }
+    const auto look = [&](int x, int y) {
+      if (x < 0 || y < 0 || x >= kCells || y >= kCells) return;
+      for (const std::size_t i : cells_[static_cast<std::size_t>(x * kCells + y)]) {
+        const Vec2 on = nearest_on(p, all_[i]);
+        if (const double far = norm(p - on); far < best.distance) best = {far, on};
+      }
+    };
+    for (int ring = 0; (ring - 1) * side_ <= best.distance;
+         ++ring)  // outwards, as far as a nearer one may be
+      for (int k = -ring; k <= ring; ++k) {
+        look(column + k, row - ring);
+        if (ring > 0) look(column + k, row + ring);
+        if (k == -ring || k == ring) continue;
+        look(column - ring, row + k);
+        look(column + ring, row + k);
+      }
     return best;
   }
   double nearest(Vec2 p, double most) const { return nearest_stretch(p, most).distance; }
