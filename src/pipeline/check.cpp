@@ -139,13 +139,23 @@ std::string name_and_size(const Tool& tool) {
   return fmt::format("T{} ({} {} mm)", tool.number, name_of(tool.kind), trimmed(tool.diameter, 3));
 }
 
-/// Lines that mills engrave, where one of `tools`, the given ones, is a V-bit or a ball that would: their grooves are wider.
-std::vector<Condition> engraved_by_mills(const ResolvedPlan& plan, const std::vector<Tool>& tools) {
+/// Whether the part as it was read has this line to engrave. Necks of T-slots are lines too, and always milled.
+bool is_line_of(const Part& part, const Feature& feature) {
+  if (feature.kind != FeatureKind::kEngraving) return false;
+  return std::any_of(part.features.begin(), part.features.end(), [&](const Feature& one) {
+    return one.kind == FeatureKind::kEngraving && one.name == feature.name;
+  });
+}
+
+/// Lines of `part` that mills engrave, where one of `tools`, the given ones, is a V-bit or a ball that would: their grooves are wider.
+std::vector<Condition> engraved_by_mills(const Part& part, const ResolvedPlan& plan,
+                                         const std::vector<Tool>& tools) {
   std::vector<Condition> conditions;
+  if (tools.empty()) return conditions;
   for (const Workingstep& step : plan.part.workplan) {
     const Feature& feature = feature_of(plan.part, step);
     const Tool& tool = tool_of(plan.part, step);
-    if (feature.kind != FeatureKind::kEngraving || tools.empty() || is_carved(feature, tool)) continue;
+    if (!is_line_of(part, feature) || is_carved(feature, tool)) continue;
     const Tool& engraver = tools[static_cast<std::size_t>(features::tool_for(feature, tools, {}, plan.tol))];
     if (!is_carved(feature, engraver)) continue;
     conditions.push_back({"engraved-by-mill",
@@ -495,7 +505,7 @@ CheckResult check_resolved(const Part& part, const ProgramText& text, const Plan
                  result.worn.push_back({cut, shifted.toolpath});
                  return WornProgram{std::move(shifted.toolpath), std::move(found)};
                });
-  for (Condition& one : engraved_by_mills(plan, asked_tools))
+  for (Condition& one : engraved_by_mills(part, plan, asked_tools))
     result.findings.conditions.push_back(std::move(one));
   add_conditions_of_part(result.part, result.toolpath, plan, result.findings);
   add_not_machined(result.part.diagnostics, result.findings);

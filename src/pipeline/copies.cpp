@@ -438,6 +438,16 @@ double gap_for_tabs(const Part& part) {
   return 2 * widest_kerf(part) + kLeastWeb;
 }
 
+/// Says that tabs of parts `gap` mm apart do not hold, where that is less than `for_tabs`.
+void doubt_tabs_between(double gap, double for_tabs, Diagnostics& said) {
+  if (gap >= for_tabs) return;
+  said.doubt("copies", "loose-part",
+             fmt::format(
+                 "the kerfs of neighbours meet where parts are less than {} mm apart, so that tabs between "
+                 "parts hold to nothing; what is cut free is held otherwise",
+                 trimmed(for_tabs, 3)));
+}
+
 /// mm; a thinner wall is none.
 constexpr double kLeastWall = 0.1;
 
@@ -687,16 +697,14 @@ SheetOfCopies sheet_of_copies(const Part& part, const PlanOptions& options) {
     parts.push_back(&kind.part);
     for_tabs = std::max(for_tabs, gap_for_tabs(resolved));
   }
-  if (options.tabs.any() && question.gap < for_tabs)
-    throw InputError("--tabs",
-                     fmt::format("of parts {} mm apart are not checked: the kerfs of neighbours meet, and "
-                                 "what is left between holds no tab; they are from {} mm on",
-                                 trimmed(question.gap, 3), trimmed(for_tabs, 3)));
   const Places places = places_of(question, kinds, boxes);
   SheetOfCopies sheet{sheet_of(parts, places), made_of(question, kinds, places, boxes),
                       kinds.front().options.tool_cutting,
-                      [kinds, places, question](const PlanOptions& asked) {
-                        return resolved_sheet(kinds, places, question, asked);
+                      [kinds, places, question, for_tabs](const PlanOptions& asked) {
+                        ResolvedPlan plan = resolved_sheet(kinds, places, question, asked);
+                        if (asked.tabs.any() && places.size() > 1)
+                          doubt_tabs_between(question.gap, for_tabs, plan.part.diagnostics);
+                        return plan;
                       }};
   if (question.fills_sheet) {
     take_block(question, sheet.part);
@@ -740,12 +748,7 @@ PlanResult plan_copies(const Part& part, const PlanOptions& options) {
   PlanResult result = result_of(planned, kinds, places);
   Diagnostics said = std::move(result.part.diagnostics);
   said.note("copies", told_of(question, kinds, places.size()));
-  if (options.tabs.any() && places.size() > 1 && question.gap < for_tabs)
-    said.doubt("copies", "loose-part",
-               fmt::format(
-                   "the kerfs of neighbours meet where parts are less than {} mm apart, so that tabs between "
-                   "parts hold to nothing; what is cut free is held otherwise",
-                   trimmed(for_tabs, 3)));
+  if (options.tabs.any() && places.size() > 1) doubt_tabs_between(question.gap, for_tabs, said);
   result.part = plan.part;
   result.part.diagnostics = std::move(said);
   certify(result, toolpath, plan);

@@ -51,6 +51,17 @@ TEST(TSlots, AnOpenSlotIsMilledForTheNeckThenUndercutFromOutsideToOutside) {
   EXPECT_THAT(result.program.substr(change), HasSubstr("X-12 Y30\nZ1\nG1 Z-12 F300\nX112 F1000\nG0 Z10\n"));
 }
 
+/// The slot above the undercut is milled whatever engraves: no line that a ball at hand was meant for.
+TEST(TSlots, ABallAtHandEngravesNoNeck) {
+  std::vector<std::string> tools = kTools;
+  tools.emplace_back("ball:6");
+  const PlanResult planned = plan_part(open_slot(), with(tools));
+  const CheckResult read = check_program(open_slot(), planned.program, "slot.ngc", with(tools));
+  EXPECT_EQ(verdict_of(planned.findings), Verdict::kClean) << faults_of(planned.findings);
+  EXPECT_EQ(verdict_of(read.findings), Verdict::kClean) << faults_of(read.findings);
+  EXPECT_TRUE(read.findings.conditions.empty());
+}
+
 TEST(TSlots, TheDiscGoesDownInAPocketThatIsFinished) {
   const Part part =
       drawn(kPlate + circle("POCKET_D12", {30, 30}, 10.2) + line("TSLOT_D12", {30, 30}, {100, 30}));

@@ -59,17 +59,33 @@ bool holds_others(const std::vector<Outline>& outlines, std::size_t index) {
   });
 }
 
+/// mm. Empty circles beside each other, no wider than drills for usual chucks, are holes.
+constexpr double kWidestHole = 13;
+
+/// Whether nothing but a circle of a hole's size is drawn.
+bool is_small_circle(const Outline& outline, const Tolerances& tol) {
+  const auto diameter = circle_diameter(Region::from_valid_loops(outline.loop, {}), tol);
+  return diameter && *diameter <= kWidestHole;
+}
+
 /// The outermost outlines. An outline without others inside keeps the role of its layer: a hole of the fixture beside
-/// a part.
-std::set<std::size_t> outer_ones(const std::vector<Outline>& outlines,
-                                 const std::vector<ShapedGroup>& groups) {
-  std::set<std::size_t> outer, unsaid;
+/// a part. Where a part is on the same layer, that role is meant for what is in the parts, and only holes keep it.
+std::set<std::size_t> outer_ones(const std::vector<Outline>& outlines, const std::vector<ShapedGroup>& groups,
+                                 const Tolerances& tol) {
+  std::set<std::size_t> outer, parts, with_parts;
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     if (!outlines[i].about.empty() || outlines[i].crossing) continue;
     outer.insert(i);
-    if (!groups[outlines[i].group].group.says_role || holds_others(outlines, i)) unsaid.insert(i);
+    if (!holds_others(outlines, i)) continue;
+    parts.insert(i);
+    with_parts.insert(outlines[i].group);
   }
-  return unsaid.empty() ? outer : unsaid;
+  for (const std::size_t i : outer) {
+    const bool is_said = groups[outlines[i].group].group.says_role;
+    const bool is_beside_parts = with_parts.count(outlines[i].group) > 0 && !is_small_circle(outlines[i], tol);
+    if (!is_said || is_beside_parts) parts.insert(i);
+  }
+  return parts.empty() ? outer : parts;
 }
 
 /// Numbers of outlines from 1, parted by commas; nothing when the text is anything else.
@@ -93,8 +109,9 @@ bool names_outer(const LayerRule& rule) {
 }
 
 std::optional<std::set<std::size_t>> chosen_by(const LayerRule& rule, const std::vector<Outline>& outlines,
-                                               const std::vector<ShapedGroup>& groups) {
-  if (names_outer(rule)) return outer_ones(outlines, groups);
+                                               const std::vector<ShapedGroup>& groups,
+                                               const Tolerances& tol) {
+  if (names_outer(rule)) return outer_ones(outlines, groups, tol);
   const auto numbers = numbers_of(rule.pattern);
   if (!numbers) return std::nullopt;
   std::set<std::size_t> chosen;
@@ -317,20 +334,20 @@ void settle_crossing(std::vector<ShapedGroup>& groups, const std::vector<Outline
   }
 }
 
-/// Applies options and rules naming outlines; returns whether any was used.
+/// Applies options and rules naming outlines; returns whether one says what all outermost outlines are.
 bool apply_outline_rules(std::vector<ShapedGroup>& groups, std::vector<Outline>& outlines,
                          const std::vector<NamedLayer>& layers, const ReadOptions& options,
                          Diagnostics& diagnostics) {
-  bool any = false;
+  bool says_outer = false;
   for (const LayerRule& rule : in_turn(options.layer_rules)) {
     if (names_layer(rule, layers) || !rule.role) continue;
-    const auto chosen = chosen_by(rule, outlines, groups);
+    const auto chosen = chosen_by(rule, outlines, groups, options.tol);
     if (!chosen) {
       const bool has_drawn = !layers.empty() || !outlines.empty();
       if (has_drawn && rule.asked && rule.pattern.substr(0, 1) != "#") refuse_unmatched(rule, layers);
       continue;
     }
-    any = true;
+    says_outer = says_outer || names_outer(rule);
     if (chosen->empty()) continue;
     if (names_outer(rule) && *rule.role == LayerRole::kPocket) {
       make_outer_pockets(rule, *chosen, {outlines, groups, options, diagnostics});
@@ -342,16 +359,7 @@ bool apply_outline_rules(std::vector<ShapedGroup>& groups, std::vector<Outline>&
       move_out(rule, alike, {outlines, groups, options, diagnostics});
     for (const std::size_t group : touched) renest(outlines, group, groups[group], options, diagnostics);
   }
-  return any;
-}
-
-/// mm. Empty circles beside each other, no wider than drills for usual chucks, are holes.
-constexpr double kWidestHole = 13;
-
-/// Whether nothing but a circle of a hole's size is drawn.
-bool is_small_circle(const Outline& outline, const Tolerances& tol) {
-  const auto diameter = circle_diameter(Region::from_valid_loops(outline.loop, {}), tol);
-  return diameter && *diameter <= kWidestHole;
+  return says_outer;
 }
 
 /// Whether two outlines are one outline drawn twice, for example on two layers.
@@ -360,24 +368,28 @@ bool is_drawn_twice(const Outline& a, const Outline& b, const Tolerances& tol) {
   return distance(one.min, other.min) <= tol.join_gap && distance(one.max, other.max) <= tol.join_gap;
 }
 
+/// Whether an option or rule names the outline itself, as cut: it is one of several outlines drawn alike.
+bool is_named(const Outline& outline, const std::vector<ShapedGroup>& groups) {
+  return outline.group != outline.drawn_in && groups[outline.group].group.role != LayerRole::kIgnore;
+}
+
 /// The outermost outlines with unknown role, edges of parts or pockets, if one of them contains others, or if several
-/// are no holes, have no depth of their own, and no option concerns the drawing. A single outline is a pocket.
+/// are no holes and have no depth of their own, those that options name counted. A single outline is a pocket.
 std::vector<std::size_t> unclear_outlines(const std::vector<ShapedGroup>& groups,
                                           const std::vector<Outline>& outlines, const ReadOptions& options) {
-  const auto& rules = options.layer_rules;
-  const bool any_asked =
-      std::any_of(rules.begin(), rules.end(), [](const LayerRule& rule) { return rule.asked; });
   std::vector<std::size_t> outermost;
   bool holding = false, several = false;
   const Outline* first_plain = nullptr;
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     const DrawnGroup& group = groups[outlines[i].group].group;
     if (!outlines[i].about.empty() || outlines[i].crossing || group.role == LayerRole::kChamfer ||
-        group.says_role)
+        (group.says_role && !is_named(outlines[i], groups)))
       continue;
-    outermost.push_back(i);
-    holding = holding || holds_others(outlines, i);
-    if (any_asked || group.depth || is_small_circle(outlines[i], options.tol)) continue;
+    if (!group.says_role) {
+      outermost.push_back(i);
+      holding = holding || holds_others(outlines, i);
+    }
+    if ((group.depth && !group.says_role) || is_small_circle(outlines[i], options.tol)) continue;
     several = several || (first_plain && !is_drawn_twice(*first_plain, outlines[i], options.tol));
     if (!first_plain) first_plain = &outlines[i];
   }
@@ -387,12 +399,15 @@ std::vector<std::size_t> unclear_outlines(const std::vector<ShapedGroup>& groups
 /// The question for outlines without others inside.
 std::string question_of_plain(const Outline& first, std::size_t count, const ShapedGroup& group) {
   const Box size = box(first.loop);
-  return "the drawing has " + std::to_string(count) + " outlines beside each other, the first of " +
-         trimmed(size.width(), 2) + " x " + trimmed(size.height(), 2) + " mm (layer " +
-         printable(group.group.name) +
-         "), and nothing says what they are: --op profile:outer if they are the edges of parts, which are "
-         "cut "
-         "out along them; --op pocket:outer if they are pockets";
+  const std::string drawn = trimmed(size.width(), 2) + " x " + trimmed(size.height(), 2) + " mm (layer " +
+                            printable(group.group.name) + ")";
+  if (count == 1)
+    return "the outline of " + drawn +
+           " stands beside others, and nothing says what it is: --op profile:outer if it is the edge of a "
+           "part, which is cut out along it; --op pocket:outer if it is a pocket";
+  return "the drawing has " + std::to_string(count) + " outlines beside each other, the first of " + drawn +
+         ", and nothing says what they are: --op profile:outer if they are the edges of parts, which are "
+         "cut out along them; --op pocket:outer if they are pockets";
 }
 
 std::string question_of(const std::vector<Outline>& outlines, const std::vector<std::size_t>& unclear,
@@ -476,8 +491,8 @@ void assign_outline_roles(std::vector<ShapedGroup>& groups, const std::vector<Na
     return;
   }
   std::vector<Outline> outlines = outlines_of(groups);
-  const bool chosen = apply_outline_rules(groups, outlines, layers, options, diagnostics);
-  const auto unclear = chosen ? std::vector<std::size_t>{} : unclear_outlines(groups, outlines, options);
+  const bool says_outer = apply_outline_rules(groups, outlines, layers, options, diagnostics);
+  const auto unclear = says_outer ? std::vector<std::size_t>{} : unclear_outlines(groups, outlines, options);
   settle_crossing(groups, outlines, options, diagnostics);
   if (options.overview) fill_overview(groups, outlines, options, *options.overview);
   if (unclear.empty()) return;

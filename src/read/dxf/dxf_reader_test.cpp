@@ -374,6 +374,39 @@ TEST(Dxf, EveryOutermostOutlineIsAskedAbout) {
   EXPECT_EQ(part.features.size(), 3U);
 }
 
+/// An option for one outline says nothing of those beside it, and the layer of what is in the parts nothing of a part.
+TEST(Dxf, OptionsForOthersAnswerNoQuestion) {
+  const auto on = [](const char* layer, double x, double w) {
+    const std::string name = layer;
+    std::string text = rectangle_at(x, 0, w, 20);
+    for (std::size_t at = 0; (at = text.find(" 8 D5", at)) != std::string::npos; at += name.size() + 3)
+      text.replace(at, 5, " 8 " + name);
+    return text;
+  };
+  const std::string plates = on("0", 0, 30) + on("0", 50, 40);
+  const std::string holed = plates + " 0 CIRCLE 8 0 10 70 20 10 40 8";
+  ReadOptions asks;
+  asks.ask_if_unclear = true;
+  asks.depth = 3;
+  const auto refused = [&](const std::string& text, const std::string& op) {
+    asks.layer_rules = {rule_of_option(op, "--op")};
+    return refusal(dxf(text), asks);
+  };
+  for (const char* op : {"ignore:3", "drill:3", "inside:3", "ignore:1", "profile:1", "pocket_d2:1"})
+    EXPECT_THAT(refused(holed, op), HasSubstr("nothing says what")) << op;
+  EXPECT_THAT(refused(plates + " 0 CIRCLE 8 MARK 10 200 20 10 40 2", "ignore:MARK"),
+              HasSubstr("the drawing has 2 outlines beside each other"));
+  EXPECT_THAT(refused(plates, "profile_d3:2"), HasSubstr("30 x 20 mm (layer 0) stands beside others"));
+  for (const char* op : {"pocket:outer", "pocket:0", "profile:1,2", "ignore:1"})
+    EXPECT_EQ(refused(plates, op), "not refused") << op;
+  asks.layer_rules = {rule_of_option("profile:outer", "--op"), rule_of_option("pocket:0", "--op")};
+  const Part part = read(dxf(holed), asks);
+  ASSERT_EQ(part.features.size(), 3U);
+  EXPECT_EQ(std::count_if(part.features.begin(), part.features.end(),
+                          [](const Feature& one) { return one.kind == FeatureKind::kOutsideProfile; }),
+            2);
+}
+
 TEST(Dxf, WhatAClipHidesIsADoubt) {
   const auto drawing = [](const std::string& switched) {
     const std::string filter =
