@@ -441,11 +441,11 @@ double gap_for_tabs(const Part& part) {
 /// Says that tabs of parts `gap` mm apart do not hold, where that is less than `for_tabs`.
 void doubt_tabs_between(double gap, double for_tabs, Diagnostics& said) {
   if (gap >= for_tabs) return;
-  said.doubt("copies", "loose-part",
-             fmt::format(
-                 "the kerfs of neighbours meet where parts are less than {} mm apart, so that tabs between "
-                 "parts hold to nothing; what is cut free is held otherwise",
-                 trimmed(for_tabs, 3)));
+  said.doubt(
+      "copies", "loose-part",
+      fmt::format("the kerfs of neighbours meet where parts are less than {} mm apart, so that tabs between "
+                  "parts hold to nothing; what is cut free is held otherwise",
+                  trimmed(for_tabs, 3)));
 }
 
 /// mm; a thinner wall is none.

@@ -82,7 +82,8 @@ std::set<std::size_t> outer_ones(const std::vector<Outline>& outlines, const std
   }
   for (const std::size_t i : outer) {
     const bool is_said = groups[outlines[i].group].group.says_role;
-    const bool is_beside_parts = with_parts.count(outlines[i].group) > 0 && !is_small_circle(outlines[i], tol);
+    const bool is_beside_parts =
+        with_parts.count(outlines[i].group) > 0 && !is_small_circle(outlines[i], tol);
     if (!is_said || is_beside_parts) parts.insert(i);
   }
   return parts.empty() ? outer : parts;
