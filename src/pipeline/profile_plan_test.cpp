@@ -172,10 +172,10 @@ TEST(DrawingRoles, IslandsOfAnOuterPocketMayLieOnOtherLayers) {
 TEST(DrawingRoles, AnOutlineInAPocketOfAnotherLayerIsAskedAbout) {
   const std::string text =
       dxf(rectangle("A", 0, 0, 80, 50) + circle("B", 20, 20, 8) + rectangle("C", 100, 0, 120, 20));
-  // Somebody has said something of outlines, so that what the outermost are is no question any more.
+  // The outermost outline is said to be a pocket, so that it is no question any more.
   const auto without = [](const std::string& number) {
     auto options = asking(6);
-    options.layer_rules = {asked(LayerRole::kIgnore, number)};
+    options.layer_rules = {asked(LayerRole::kPocket, "A"), asked(LayerRole::kIgnore, number)};
     return options;
   };
   const std::string question = refusal(text, without("3"));
@@ -195,7 +195,8 @@ TEST(DrawingRoles, AnOutlineInAPocketOfAnotherLayerIsAskedAbout) {
   options.layer_rules = {asked(LayerRole::kIsland, "B")};
   EXPECT_NEAR(area(read::read_part_text(text, "plate.dxf", options).features[0].target), 4000 - 64 * kPi,
               1e-6);
-  options.layer_rules = {asked(LayerRole::kPocket, "B"), asked(LayerRole::kIgnore, "3")};
+  options.layer_rules = {asked(LayerRole::kPocket, "A"), asked(LayerRole::kPocket, "B"),
+                         asked(LayerRole::kIgnore, "3")};
   EXPECT_NEAR(area(read::read_part_text(text, "plate.dxf", options).features[0].target), 4000, 1e-6);
   // The same outline on two layers is one.
   EXPECT_EQ(refusal(dxf(rectangle("A", 0, 0, 80, 50) + rectangle("B", 0, 0, 80, 50)), asking(6)), "");

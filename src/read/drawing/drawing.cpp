@@ -90,6 +90,14 @@ Feature profile_of(const DrawnGroup& group, Path line, ProfileSide side, double 
   return feature;
 }
 
+/// The islands that options name by their numbers.
+Regions named_islands(const std::vector<ShapedGroup>& shaped, const Tolerances& tol) {
+  Regions islands;
+  for (const ShapedGroup& one : shaped)
+    if (one.group.role == LayerRole::kIsland) islands = unite(islands, one.regions, tol);
+  return islands;
+}
+
 /// Along the inside of outlines, along the outside of those in them.
 void add_inside_profiles(const ShapedGroup& shaped, double depth, const ReadOptions& options,
                          std::vector<Feature>& out) {
@@ -419,9 +427,11 @@ void add_drawn_features(Part& part, std::vector<DrawnGroup> groups, const ReadOp
   if (options.mirror) mirror(groups);
   std::vector<NamedLayer> layers;
   for (const DrawnGroup& group : groups) layers.push_back({group.name, !group.curves.empty()});
-  const Regions islands = islands_of(groups, options, part.diagnostics);
+  Regions islands = islands_of(groups, options, part.diagnostics);
   std::vector<ShapedGroup> shaped = shaped_groups(groups, options, part.diagnostics);
   assign_outline_roles(shaped, layers, options, part.source_file, part.diagnostics);
+  if (const Regions named = named_islands(shaped, options.tol); !named.empty())
+    islands = unite(islands, named, options.tol);
   if (options.overview || options.ask_if_unclear) ask_of_layers(shaped, options);
   if (options.overview) {
     question_open_lines(shaped, part, options);

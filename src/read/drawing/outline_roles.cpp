@@ -374,23 +374,37 @@ bool is_named(const Outline& outline, const std::vector<ShapedGroup>& groups) {
   return outline.group != outline.drawn_in && groups[outline.group].group.role != LayerRole::kIgnore;
 }
 
+/// Whether an outline in this one is said to be an island: this one is then a pocket.
+bool holds_island(std::size_t index, const std::vector<Outline>& outlines,
+                  const std::vector<ShapedGroup>& groups) {
+  return std::any_of(outlines.begin(), outlines.end(), [&](const Outline& other) {
+    return groups[other.group].group.role == LayerRole::kIsland &&
+           std::find(other.about.begin(), other.about.end(), static_cast<int>(index)) != other.about.end();
+  });
+}
+
 /// The outermost outlines with unknown role, edges of parts or pockets, if one of them contains others, or if several
 /// are no holes and have no depth of their own, those that options name counted. A single outline is a pocket.
 std::vector<std::size_t> unclear_outlines(const std::vector<ShapedGroup>& groups,
                                           const std::vector<Outline>& outlines, const ReadOptions& options) {
+  // An island stands in a pocket: where an option names one, outlines without others are pockets, too.
+  const auto& rules = options.layer_rules;
+  const bool any_island = std::any_of(rules.begin(), rules.end(), [](const LayerRule& rule) {
+    return rule.asked && rule.role == LayerRole::kIsland;
+  });
   std::vector<std::size_t> outermost;
   bool holding = false, several = false;
   const Outline* first_plain = nullptr;
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     const DrawnGroup& group = groups[outlines[i].group].group;
-    if (!outlines[i].about.empty() || outlines[i].crossing || group.role == LayerRole::kChamfer ||
-        (group.says_role && !is_named(outlines[i], groups)))
-      continue;
-    if (!group.says_role) {
+    if (!outlines[i].about.empty() || outlines[i].crossing || group.role == LayerRole::kChamfer) continue;
+    const bool is_said = group.says_role || holds_island(i, outlines, groups);
+    if (is_said && !is_named(outlines[i], groups)) continue;
+    if (!is_said) {
       outermost.push_back(i);
       holding = holding || holds_others(outlines, i);
     }
-    if ((group.depth && !group.says_role) || is_small_circle(outlines[i], options.tol)) continue;
+    if (any_island || (group.depth && !is_said) || is_small_circle(outlines[i], options.tol)) continue;
     several = several || (first_plain && !is_drawn_twice(*first_plain, outlines[i], options.tol));
     if (!first_plain) first_plain = &outlines[i];
   }

@@ -97,21 +97,28 @@ struct Within {
 
 DrawingQuestion question_of(const Within& first) {
   const Box place = first.region->box();
-  const std::string name = printable(first.inner->group.name);
-  return DrawingQuestion{
+  // Of outlines that an option has taken from the same layer by their numbers, the layer's name would say nothing.
+  const bool by_number = first.inner->group.where == first.outer->group.where;
+  const std::string name = by_number ? "N" : printable(first.inner->group.name);
+  DrawingQuestion question{
       first.inner->group.where,
       "the outline of " + trimmed(place.width(), 2) + " x " + trimmed(place.height(), 2) + " mm at (" +
-          trimmed(place.min.x, 2) + ", " + trimmed(place.min.y, 2) +
-          ") lies in a pocket of the same depth on layer " + printable(first.outer->group.name) +
+          trimmed(place.min.x, 2) + ", " + trimmed(place.min.y, 2) + ") lies in a pocket of the same depth" +
+          (by_number ? "" : " on layer " + printable(first.outer->group.name)) +
           ", and nothing says what it is: --op island:" + name +
-          " if it stays standing, --op pocket:" + name + " if it is milled with that pocket",
-      {{"--op", "island:" + name}, {"--op", "pocket:" + name}}};
+          " if it stays standing, --op pocket:" + name + " if it is milled with that pocket" +
+          (by_number ? ", N being its number in `clearcut info`" : ""),
+      {}};
+  if (!by_number) question.answers = {{"--op", "island:" + name}, {"--op", "pocket:" + name}};
+  return question;
 }
 
 /// All unclear layers, each once, in the first pocket around one of its outlines.
 std::vector<Within> layers_within(const std::vector<ShapedGroup>& groups, const ReadOptions& options) {
   std::vector<Within> all;
   const auto add = [&](const ShapedGroup& inner, const ShapedGroup& outer) {
+    // A layer's own depth says a pocket, in one that is said to be one.
+    if (inner.group.says_role || (outer.group.says_role && inner.group.depth)) return false;
     const bool known =
         std::any_of(all.begin(), all.end(), [&](const Within& one) { return one.inner == &inner; });
     const Region* region = known ? nullptr : region_within(inner.regions, outer.regions, options.tol);
@@ -121,7 +128,7 @@ std::vector<Within> layers_within(const std::vector<ShapedGroup>& groups, const 
   for (std::size_t i = 0; i < groups.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       const ShapedGroup &a = groups[i], &b = groups[j];
-      if (a.group.says_role || b.group.says_role || !near_any(a.regions, b.regions) ||
+      if ((a.group.says_role && b.group.says_role) || !near_any(a.regions, b.regions) ||
           !are_pockets_of_one_floor(a.group, b.group, options)) {
         continue;
       }

@@ -407,6 +407,36 @@ TEST(Dxf, OptionsForOthersAnswerNoQuestion) {
             2);
 }
 
+/// An island stands whether its layer or its number is named, and what no word is said of is not milled with a pocket.
+TEST(Dxf, IslandsOfPocketsStandOrAreAskedAbout) {
+  ReadOptions asks;
+  asks.ask_if_unclear = true;
+  asks.depth = 3;
+  for (const char* layer : {"A", "B"}) {
+    const std::string text =
+        dxf(" 0 LWPOLYLINE 8 A 90 4 70 1 10 0 20 0 10 80 20 0 10 80 20 50 10 0 20 50"
+            " 0 CIRCLE 8 " +
+            std::string(layer) + " 10 20 20 20 40 8");
+    const auto taken = [&](std::vector<std::string> said) {
+      asks.layer_rules.clear();
+      for (const std::string& one : said) asks.layer_rules.push_back(rule_of_option(one, "--op"));
+      return all_area(read(text, asks));
+    };
+    const double whole = 80 * 50, island = whole - 64 * kPi;
+    for (const std::vector<std::string>& said :
+         {std::vector<std::string>{"island:2"}, {"pocket:outer", "island:2"}, {"pocket:1", "island:2"}})
+      EXPECT_NEAR(taken(said), island, 1e-6) << layer << said.front();
+    EXPECT_NEAR(taken({"pocket:1", "pocket:2"}), whole, 1e-6);
+    asks.layer_rules = {rule_of_option("pocket:1", "--op")};
+    EXPECT_THAT(refusal(text, asks), HasSubstr("lies in a pocket of the same depth"));
+  }
+  const std::string own =
+      dxf(" 0 LWPOLYLINE 8 A 90 4 70 1 10 0 20 0 10 80 20 0 10 80 20 50 10 0 20 50"
+          " 0 CIRCLE 8 B 10 20 20 20 40 8");
+  asks.layer_rules = {rule_of_option("pocket:A", "--op")};
+  EXPECT_THAT(refusal(own, asks), HasSubstr("--op island:B"));
+}
+
 TEST(Dxf, WhatAClipHidesIsADoubt) {
   const auto drawing = [](const std::string& switched) {
     const std::string filter =
