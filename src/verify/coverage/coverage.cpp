@@ -430,6 +430,10 @@ class CoverageProof {
     if (leaves_outline(cell, near.outline, near.outline) && winding_at(cell.center, nearby) == 0) return true;
     const double least = keep_nearest_legals(cell, near.legals);
     if (least + cell.reach() <= question_.flat) return true;
+    const bool near_residual = residual_.may_hold(cell.center, cell.reach());
+    if (near_residual && residual_.holds_on_one_wall(ConvexPolygon::square(cell.center, cell.half),
+                                                     cell.center, cell.reach()))
+      return true;
     const double area = 4 * cell.half * cell.half;
     const bool beyond = least > question_.flat;
     if (2 * cell.half <= question_.flat / kCornerCells) {
@@ -439,7 +443,7 @@ class CoverageProof {
       }
       return true;
     }
-    if (cell.on_outline || least - cell.reach() <= question_.flat || residual_.may_be()) return false;
+    if (cell.on_outline || least - cell.reach() <= question_.flat || near_residual) return false;
     result_.unreachable_mm2 += area;
     return true;
   }

@@ -266,6 +266,10 @@ void append_extremes(const Edge& edge, const Box& square, std::vector<Vec2>& out
 namespace {}  // namespace
 
 WallResidual::WallResidual(const CoverageQuestion& question) : question_(question) {
+  if (question.part->greatest_draft_offset() > 0) {
+    for (const Wall& wall : question.part->walls())
+      if (wall.stands_at(question.z)) greatest_draft_ = std::max(greatest_draft_, wall.draft_offset(question.z));
+  }
   if (question.allowance <= 0) return;
   const Box near = box(*question.target).grown(question.allowance);
   for (const Wall& outline : question.part->outlines_beyond()) {
@@ -275,10 +279,9 @@ WallResidual::WallResidual(const CoverageQuestion& question) : question_(questio
 
 bool WallResidual::holds(Vec2 p) const {
   if (!may_be()) return false;
-  const double draft = question_.part->greatest_draft_offset();
   bool found = false;
   const std::vector<Wall>& walls = question_.part->walls();
-  question_.part->wall_tree().nearest(p, question_.allowance + draft, [&](int i) {
+  question_.part->wall_tree().nearest(p, question_.allowance + greatest_draft_, [&](int i) {
     found = found || (walls[i].stands_at(question_.z) &&
                       distance(walls[i].edge, p) <
                           question_.allowance + question_.part->draft_offset(walls[i], question_.z, p));
@@ -289,8 +292,23 @@ bool WallResidual::holds(Vec2 p) const {
          });
 }
 
+bool WallResidual::may_hold(Vec2 center, double reach) const {
+  if (!may_be()) return false;
+  const std::vector<Wall>& walls = question_.part->walls();
+  bool found = false;
+  question_.part->wall_tree().nearest(center, question_.allowance + greatest_draft_ + reach, [&](int i) {
+    const double residual = question_.allowance + walls[i].draft_offset(question_.z);
+    found = found ||
+            (walls[i].stands_at(question_.z) && distance(walls[i].edge, center) < residual + reach);
+    return false;
+  });
+  return found || std::any_of(beyond_.begin(), beyond_.end(), [&](const Wall& outline) {
+           return distance(outline.edge, center) < question_.allowance + reach;
+         });
+}
+
 bool WallResidual::holds_on_one_wall(const ConvexPolygon& polygon, Vec2 center, double reach) const {
-  const double greatest = question_.allowance + question_.part->greatest_draft_offset();
+  const double greatest = question_.allowance + greatest_draft_;
   const std::vector<Wall>& walls = question_.part->walls();
   bool found = false;
   question_.part->wall_tree().nearest(center, greatest, [&](int i) {

@@ -57,9 +57,11 @@ class WallResidual {
   explicit WallResidual(const CoverageQuestion& question);
 
   /// Whether there may be any.
-  bool may_be() const { return question_.allowance > 0 || question_.part->greatest_draft_offset() > 0; }
+  bool may_be() const { return question_.allowance > 0 || greatest_draft_ > 0; }
   /// Whether p is in the material to be left on a wall.
   bool holds(Vec2 p) const;
+  /// Whether some point within `reach` mm of `center` may be in it.
+  bool may_hold(Vec2 center, double reach) const;
   /// Whether the whole `polygon`, located within `reach` mm of `center`, is in the material to be left on one wall.
   bool holds_on_one_wall(const ConvexPolygon& polygon, Vec2 center, double reach) const;
 
@@ -67,7 +69,8 @@ class WallResidual {
   bool wall_holds(const Wall& wall, const ConvexPolygon& polygon, Vec2 center, double reach) const;
 
   const CoverageQuestion& question_;
-  std::vector<Wall> beyond_;  ///< outlines beside the stock with an allowance that may extend into the stock
+  double greatest_draft_ = 0;  ///< mm; of all walls at the height of the question
+  std::vector<Wall> beyond_;   ///< outlines beside the stock with an allowance that may extend into the stock
 };
 
 }  // namespace clearcut::verify

@@ -7,8 +7,6 @@
 #include <optional>
 #include <stdexcept>
 
-#include "support/independent/plain_gcode.h"
-
 namespace clearcut::test_support {
 namespace {
 
@@ -18,6 +16,10 @@ constexpr double kSlack = 0.03, kAside = 0.03;
 constexpr double kContact = 0.06;
 /// mm for each mm from the axis: what the point of a drill leaves may stand under tools that finish its hole.
 constexpr double kPointLeft = 0.65;
+/// mm. Chords of arcs.
+constexpr double kSagitta = 0.002;
+/// Number of places in a plan from which other programs that begin alike go on.
+constexpr std::size_t kBegun = 16;
 
 std::string text(const char* kind, double amount, const std::string& where) {
   char buffer[160];
@@ -140,7 +142,9 @@ void keep_first_of_each_kind(std::vector<std::string>& wrongs) {
 }  // namespace
 
 FieldJudge::FieldJudge(MadePart part, const std::string& plan, double cell)
-    : part_(std::move(part)), cell_(cell), places_(all_places()), plan_(run(plan)) {}
+    : part_(std::move(part)), cell_(cell), places_(all_places()), plan_(untouched()) {
+  run_plan(plan);
+}
 
 std::vector<FieldJudge::Place> FieldJudge::all_places() const {
   std::vector<Place> places;
@@ -168,37 +172,67 @@ FieldJudge::Place FieldJudge::place_at(double x, double y) const {
   return place;
 }
 
-FieldJudge::Run FieldJudge::run(const std::string& program) const {
+FieldJudge::Run FieldJudge::untouched() const {
   Run run{ProfileField(part_.x0, part_.y0, part_.x1, part_.y1, cell_), {}, part_.visits, {}};
   for (const MadeThread& thread : part_.threads) run.threads.emplace_back(thread);
+  return run;
+}
+
+void FieldJudge::run_plan(const std::string& plan) {
+  begun_.push_back(plan_);
+  try {
+    plan_ways_ = ways_of(plan, kSagitta);
+  } catch (const std::runtime_error& error) {
+    plan_.wrongs.push_back(std::string("words ") + error.what());
+    return;
+  }
+  const std::size_t apart = plan_ways_.size() / kBegun + 1;
+  for (const TipWay& tip : plan_ways_) {
+    go(plan_, tip);
+    if (plan_.done % apart == 0) begun_.push_back(plan_);
+  }
+}
+
+FieldJudge::Run FieldJudge::run(const std::string& program) const {
   std::vector<TipWay> ways;
   try {
-    ways = ways_of(program, 0.002);
+    ways = ways_of(program, kSagitta);
   } catch (const std::runtime_error& error) {
-    run.wrongs.push_back(std::string("words ") + error.what());
-    return run;
+    Run none = untouched();
+    none.wrongs.push_back(std::string("words ") + error.what());
+    return none;
   }
-  for (const TipWay& tip : ways) {
-    if (std::min(tip.z0, tip.z1) >= 0) continue;
-    const auto cutter = part_.cutters.find(tip.tool);
-    if (cutter == part_.cutters.end()) {
-      run.wrongs.push_back("tool unknown, line " + std::to_string(tip.line));
-      continue;
-    }
-    const WayJudge judge(run.field, tip, cutter->second);
-    judge.judge(run.wrongs);
-    run.field.cut(cutter->second.body, judge.way());
-    if (cutter->second.kind == "threadmill")
-      for (ThreadRays& thread : run.threads) thread.cut(cutter->second, judge.way());
-    run.missed.erase(std::remove_if(run.missed.begin(), run.missed.end(),
-                                    [&](const MadeVisit& visit) {
-                                      return visit.kind == cutter->second.kind &&
-                                             std::hypot(visit.x - tip.x1, visit.y - tip.y1) < kAside &&
-                                             tip.z1 < visit.z + kSlack;
-                                    }),
-                     run.missed.end());
-  }
+  const auto differs = std::mismatch(ways.begin(), ways.end(), plan_ways_.begin(), plan_ways_.end()).first;
+  Run run = last_before(static_cast<std::size_t>(differs - ways.begin()));
+  while (run.done < ways.size()) go(run, ways[run.done]);
   return run;
+}
+
+/// The plan with at most so many of its ways.
+const FieldJudge::Run& FieldJudge::last_before(std::size_t ways) const {
+  const auto after = std::find_if(begun_.begin(), begun_.end(), [&](const Run& run) { return run.done > ways; });
+  return *std::prev(after);
+}
+
+void FieldJudge::go(Run& run, const TipWay& tip) const {
+  ++run.done;
+  if (std::min(tip.z0, tip.z1) >= 0) return;
+  const auto found = part_.cutters.find(tip.tool);
+  if (found == part_.cutters.end()) {
+    run.wrongs.push_back("tool unknown, line " + std::to_string(tip.line));
+    return;
+  }
+  const MadeCutter& cutter = found->second;
+  const WayJudge judge(run.field, tip, cutter);
+  judge.judge(run.wrongs);
+  run.field.cut(cutter.body, judge.way());
+  if (cutter.kind == "threadmill")
+    for (ThreadRays& thread : run.threads) thread.cut(cutter, judge.way());
+  const auto is_made = [&](const MadeVisit& visit) {
+    return visit.kind == cutter.kind && std::hypot(visit.x - tip.x1, visit.y - tip.y1) < kAside &&
+           tip.z1 < visit.z + kSlack;
+  };
+  run.missed.erase(std::remove_if(run.missed.begin(), run.missed.end(), is_made), run.missed.end());
 }
 
 /// `plan`: what another program has cut of the same part; without it, what cutters certainly reach is asked.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "support/independent/made_part.h"
+#include "support/independent/plain_gcode.h"
 #include "support/independent/profile_field.h"
 #include "support/independent/thread_rays.h"
 
@@ -22,12 +23,13 @@ class FieldJudge {
   std::vector<std::string> wrongs_of(const std::string& program) const;
 
  private:
-  /// A program carried out.
+  /// A program carried out, or the first ways of one.
   struct Run {
     ProfileField field;
     std::vector<ThreadRays> threads;
     std::vector<MadeVisit> missed;  ///< visits that no tool has made
     std::vector<std::string> wrongs;
+    std::size_t done = 0;  ///< number of its ways
   };
 
   /// The centre of a cell, and what is known of the part there.
@@ -39,7 +41,11 @@ class FieldJudge {
   };
   Place place_at(double x, double y) const;
   std::vector<Place> all_places() const;
+  Run untouched() const;
+  void go(Run& run, const TipWay& tip) const;
+  void run_plan(const std::string& plan);
   Run run(const std::string& program) const;
+  const Run& last_before(std::size_t ways) const;
   void compare(const Run& run, const Run* plan, std::vector<std::string>& wrongs) const;
   static void compare_threads(const Run& run, std::vector<std::string>& wrongs);
 
@@ -47,6 +53,8 @@ class FieldJudge {
   double cell_;
   std::vector<Place> places_;
   Run plan_;
+  std::vector<TipWay> plan_ways_;
+  std::vector<Run> begun_;  ///< the plan at some of its ways, from none on: what begins alike goes on from there
 };
 
 }  // namespace clearcut::test_support

@@ -16,6 +16,7 @@ struct TipWay {
   bool has_length = false;  ///< whether a length was set since the tool came into the spindle
   double per_turn = 0;      ///< of a tap, mm: positive where it turns right on its way down; 0: no tapping
   double x0 = 0, y0 = 0, z0 = 0, x1 = 0, y1 = 0, z1 = 0;
+  bool operator==(const TipWay&) const = default;
 };
 
 /// All ways of a program; arcs as chords that leave them by at most `sagitta`, mm. Throws std::runtime_error for words that it does

@@ -60,9 +60,10 @@ ProfileField::ProfileField(double x0, double y0, double x1, double y1, double ce
       rows_(static_cast<int>(std::lround((y1 - y0) / cell))),
       cells_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
 
-/// Calls visit(cell, distance from the axis, height of the tip, how far the tip is from there at most, and how much its height differs).
-template <typename Visit>
-void ProfileField::along(const TurnedBody& body, const BodyWay& way, Visit visit) const {
+/// Calls visit(cell, distance from the axis, height of the tip, how far the tip is from there at most, and how much its height differs)
+/// for the cells that matters(cell, height of the tip, how much it differs) names.
+template <typename Matters, typename Visit>
+void ProfileField::along(const TurnedBody& body, const BodyWay& way, Matters matters, Visit visit) const {
   const double dx = way.x1 - way.x0, dy = way.y1 - way.y0, dz = way.z1 - way.z0;
   const double length = std::hypot(dx, dy);
   const int steps = 1 + static_cast<int>(std::max(length / (kStep * cell_),
@@ -71,19 +72,22 @@ void ProfileField::along(const TurnedBody& body, const BodyWay& way, Visit visit
   for (int i = 0; i <= steps; ++i) {
     const double t = static_cast<double>(i) / steps, x = way.x0 + dx * t, y = way.y0 + dy * t;
     const double z = length > 0 ? way.z0 + dz * t : std::min(way.z0, way.z1);
+    const double aside = length / steps / 2, differs = length > 0 ? std::abs(dz) / steps / 2 : 0;
     const auto column = [&](double v) {
       return std::clamp(static_cast<int>(std::floor((v - x0_) / cell_)), 0, columns_ - 1);
     };
     const auto row = [&](double v) {
       return std::clamp(static_cast<int>(std::floor((v - y0_) / cell_)), 0, rows_ - 1);
     };
-    for (int r = row(y - reach); r <= row(y + reach); ++r) {
-      for (int c = column(x - reach); c <= column(x + reach); ++c) {
+    const int last_column = column(x + reach), last_row = row(y + reach);
+    for (int r = row(y - reach); r <= last_row; ++r) {
+      for (int c = column(x - reach); c <= last_column; ++c) {
+        const auto cell = static_cast<std::size_t>(r * columns_ + c);
+        if (!matters(cell, z, differs)) continue;
         const double ax = x0_ + (c + 0.5) * cell_ - x, ay = y0_ + (r + 0.5) * cell_ - y;
         const double squared = ax * ax + ay * ay;
         if (squared > reach * reach) continue;
-        visit(static_cast<std::size_t>(r * columns_ + c), std::sqrt(squared), z, length / steps / 2,
-              length > 0 ? std::abs(dz) / steps / 2 : 0);
+        visit(cell, std::sqrt(squared), z, aside, differs);
       }
     }
   }
@@ -93,7 +97,11 @@ void ProfileField::cut(const TurnedBody& body, const BodyWay& way) {
   std::vector<Cell>& cells = cells_;
   const double steep = body.steepness(), radius = body.diameter / 2;
   const bool is_disc = body.end == TurnedBody::End::kDisc;
-  along(body, way, [&](std::size_t i, double apart, double z, double aside, double dz) {
+  // No body is below its tip.
+  const auto matters = [&](std::size_t i, double z, double dz) {
+    return is_disc || cells[i].certain > z - dz || cells[i].possible > z;
+  };
+  along(body, way, matters, [&](std::size_t i, double apart, double z, double aside, double dz) {
     Cell& cell = cells[i];
     const double least = std::max(0.0, apart - half_ - aside);
     if (is_disc) {
@@ -120,7 +128,10 @@ ProfileField::Hit ProfileField::hit(const TurnedBody& body, const BodyWay& way) 
   Hit hit;
   const double steep = body.steepness(), radius = body.diameter / 2;
   const bool is_disc = body.end == TurnedBody::End::kDisc;
-  along(body, way, [&](std::size_t i, double apart, double z, double aside, double dz) {
+  const auto matters = [&](std::size_t i, double z, double dz) {
+    return cells_[i].certain > z || cells_[i].possible > z - dz;
+  };
+  along(body, way, matters, [&](std::size_t i, double apart, double z, double aside, double dz) {
     const Cell& cell = cells_[i];
     const double least = std::max(0.0, apart - half_ - aside);
     if (!is_disc) {

@@ -61,8 +61,8 @@ class ProfileField {
   struct Cell {
     double certain = 0, possible = 0;
   };
-  template <typename Visit>
-  void along(const TurnedBody& body, const BodyWay& way, Visit visit) const;
+  template <typename Matters, typename Visit>
+  void along(const TurnedBody& body, const BodyWay& way, Matters matters, Visit visit) const;
   std::size_t index_of(double x, double y) const;
   double standing(std::size_t cell, double low, double high) const;
 
