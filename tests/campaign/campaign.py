@@ -12,6 +12,7 @@ import collections
 import json
 import pathlib
 import random
+import re
 import subprocess
 import sys
 import time
@@ -43,9 +44,9 @@ class Bench:
     def plan(self, part, file, program):
         words = ["plan", file, "-o", program, "--quiet", *ACCEPTED, *part.tools()]
         verdict, said = self.run(words + part.options)
-        if verdict == "REFUSED" and part.options:
-            # A wish that cannot be met with these tools: without it.
-            part.options = part.options[part.options.index("--tabs"):][:2] if "--tabs" in part.options else []
+        while verdict == "REFUSED" and part.options:
+            # A wish that cannot be met with this part and these tools: without it.
+            part.options = without_refused(part.options, said)
             verdict, said = self.run(words + part.options)
         return verdict, said
 
@@ -108,6 +109,17 @@ class Bench:
             else:
                 pathlib.Path(name).unlink()
         return kept
+
+
+def without_refused(options, said):
+    """The options but for the one whose refusal was said; where none was named, only those that hold the part."""
+    named = re.search(r"clearcut: (--[a-z-]+): ", said)
+    if named and named.group(1) in options:
+        i = options.index(named.group(1))
+        end = next((k for k in range(i + 1, len(options)) if options[k].startswith("--")), len(options))
+        return options[:i] + options[end:]
+    kept = options[options.index("--tabs"):][:2] if "--tabs" in options else []
+    return [] if kept == options else kept
 
 
 def conditions(said):

@@ -394,7 +394,7 @@ def around(part, mills, r):
 
 
 def drawn_part(r):
-    across, up = r.choice([(1, 1), (2, 1), (2, 2)])
+    across, up = r.choice([(1, 1), (1, 1), (2, 1)])
     part = Part(across * CELL + 4, up * CELL + 4)
     mills = Mills(part, r, r.choice(["flat", "flat", "bullnose", "ball", "noplunge", "two"]))
     for i in range(across):
@@ -424,8 +424,8 @@ def wall(depth, lean, fillet, more=0):
 
 
 def leaning_part(r):
-    """Pockets with leaning walls and fillets at their feet, one to three."""
-    count = r.choice([1, 1, 2, 3])
+    """Pockets with leaning walls and fillets at their feet, one or two."""
+    count = r.choice([1, 1, 2])
     part = Part(44 + 42 * (count - 1), 44)
     kind, d = r.choice(["flat", "flat+ball", "flat+bull", "ball", "bull", "two", "tapered"]), r.choice([4, 5, 6])
     widest, rounding, taper = d, 0, None
@@ -447,8 +447,10 @@ def leaning_part(r):
         part.cutter(f"tapered:3:taper={taper}deg:length={flutes}", "tapered", "cone", widest, angle=2 * taper, tip=3)
     for i in range(count):
         x, y = 22 + 42 * i, 22
-        w, h, depth = round(r.uniform(20, 36), 2), round(r.uniform(20, 36), 2), r.choice([2, 3, 5, 7])
         lean = r.choice([0, 0, 0.05, 0.0873, 0.35, 0.6]) if taper is None else r.choice([math.radians(taper), 0.35])
+        depth = r.choice([1, 2, 3, 5, 7])
+        least = max(14, widest + 2 * depth * math.tan(lean) + 1)    # the mills fit the floor
+        w, h = round(r.uniform(least, least + 10), 2), round(r.uniform(least, least + 10), 2)
         radius = r.choice([4.2, 5, 6])
         shape, islands = box(x, y, w, h, radius), []
         outline = {"name": f"P{i}", "top": 0, "depth": depth, "slope_rad": lean,
@@ -486,7 +488,7 @@ def asked_besides(part, r):
         part.options += ["--entry", r.choice(["helix", "ramp", "zigzag"])]
     if r.random() < 0.15:
         part.options += ["--lead", "1"]
-    if r.random() < 0.2:
+    if r.random() < 0.6:
         part.options += ["--strategy", r.choice(["contour", "zigzag", "spiral", "adaptive"])]
     if r.random() < 0.1:
         part.options += ["--finish", r.choice(["walls", "floor", "all"])]

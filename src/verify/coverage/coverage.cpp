@@ -431,8 +431,8 @@ class CoverageProof {
     const double least = keep_nearest_legals(cell, near.legals);
     if (least + cell.reach() <= question_.flat) return true;
     const bool near_residual = residual_.may_hold(cell.center, cell.reach());
-    if (near_residual && residual_.holds_on_one_wall(ConvexPolygon::square(cell.center, cell.half),
-                                                     cell.center, cell.reach()))
+    if (near_residual &&
+        residual_.holds_on_one_wall(ConvexPolygon::square(cell.center, cell.half), cell.center, cell.reach()))
       return true;
     const double area = 4 * cell.half * cell.half;
     const bool beyond = least > question_.flat;

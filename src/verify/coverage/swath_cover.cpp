@@ -268,7 +268,8 @@ namespace {}  // namespace
 WallResidual::WallResidual(const CoverageQuestion& question) : question_(question) {
   if (question.part->greatest_draft_offset() > 0) {
     for (const Wall& wall : question.part->walls())
-      if (wall.stands_at(question.z)) greatest_draft_ = std::max(greatest_draft_, wall.draft_offset(question.z));
+      if (wall.stands_at(question.z))
+        greatest_draft_ = std::max(greatest_draft_, wall.draft_offset(question.z));
   }
   if (question.allowance <= 0) return;
   const Box near = box(*question.target).grown(question.allowance);
@@ -298,8 +299,7 @@ bool WallResidual::may_hold(Vec2 center, double reach) const {
   bool found = false;
   question_.part->wall_tree().nearest(center, question_.allowance + greatest_draft_ + reach, [&](int i) {
     const double residual = question_.allowance + walls[i].draft_offset(question_.z);
-    found = found ||
-            (walls[i].stands_at(question_.z) && distance(walls[i].edge, center) < residual + reach);
+    found = found || (walls[i].stands_at(question_.z) && distance(walls[i].edge, center) < residual + reach);
     return false;
   });
   return found || std::any_of(beyond_.begin(), beyond_.end(), [&](const Wall& outline) {

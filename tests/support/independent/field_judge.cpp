@@ -210,7 +210,8 @@ FieldJudge::Run FieldJudge::run(const std::string& program) const {
 
 /// The plan with at most so many of its ways.
 const FieldJudge::Run& FieldJudge::last_before(std::size_t ways) const {
-  const auto after = std::find_if(begun_.begin(), begun_.end(), [&](const Run& run) { return run.done > ways; });
+  const auto after =
+      std::find_if(begun_.begin(), begun_.end(), [&](const Run& run) { return run.done > ways; });
   return *std::prev(after);
 }
 

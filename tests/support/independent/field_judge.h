@@ -54,7 +54,8 @@ class FieldJudge {
   std::vector<Place> places_;
   Run plan_;
   std::vector<TipWay> plan_ways_;
-  std::vector<Run> begun_;  ///< the plan at some of its ways, from none on: what begins alike goes on from there
+  std::vector<Run>
+      begun_;  ///< the plan at some of its ways, from none on: what begins alike goes on from there
 };
 
 }  // namespace clearcut::test_support

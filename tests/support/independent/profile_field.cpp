@@ -66,30 +66,44 @@ template <typename Matters, typename Visit>
 void ProfileField::along(const TurnedBody& body, const BodyWay& way, Matters matters, Visit visit) const {
   const double dx = way.x1 - way.x0, dy = way.y1 - way.y0, dz = way.z1 - way.z0;
   const double length = std::hypot(dx, dy);
-  const int steps = 1 + static_cast<int>(std::max(length / (kStep * cell_),
-                                                  length > 0 ? std::abs(dz) / (kStep * cell_) : 0));
   const double reach = body.diameter / 2 + 1.25 * cell_;
+  if (length <= 0 || dz == 0) {
+    const double z = std::min(way.z0, way.z1);
+    near(way, reach, [&](std::size_t cell, double ax, double ay) {
+      if (!matters(cell, z, 0)) return;
+      const double t = length > 0 ? std::clamp((ax * dx + ay * dy) / (length * length), 0.0, 1.0) : 0;
+      visit(cell, std::hypot(ax - t * dx, ay - t * dy), z, 0, 0);
+    });
+    return;
+  }
+  const int steps = 1 + static_cast<int>(std::max(length, std::abs(dz)) / (kStep * cell_));
+  const double aside = length / steps / 2, differs = std::abs(dz) / steps / 2;
   for (int i = 0; i <= steps; ++i) {
     const double t = static_cast<double>(i) / steps, x = way.x0 + dx * t, y = way.y0 + dy * t;
-    const double z = length > 0 ? way.z0 + dz * t : std::min(way.z0, way.z1);
-    const double aside = length / steps / 2, differs = length > 0 ? std::abs(dz) / steps / 2 : 0;
-    const auto column = [&](double v) {
-      return std::clamp(static_cast<int>(std::floor((v - x0_) / cell_)), 0, columns_ - 1);
-    };
-    const auto row = [&](double v) {
-      return std::clamp(static_cast<int>(std::floor((v - y0_) / cell_)), 0, rows_ - 1);
-    };
-    const int last_column = column(x + reach), last_row = row(y + reach);
-    for (int r = row(y - reach); r <= last_row; ++r) {
-      for (int c = column(x - reach); c <= last_column; ++c) {
-        const auto cell = static_cast<std::size_t>(r * columns_ + c);
-        if (!matters(cell, z, differs)) continue;
-        const double ax = x0_ + (c + 0.5) * cell_ - x, ay = y0_ + (r + 0.5) * cell_ - y;
-        const double squared = ax * ax + ay * ay;
-        if (squared > reach * reach) continue;
-        visit(cell, std::sqrt(squared), z, aside, differs);
-      }
-    }
+    const double z = way.z0 + dz * t;
+    near({x, y, z, x, y, z}, reach, [&](std::size_t cell, double ax, double ay) {
+      if (matters(cell, z, differs)) visit(cell, std::sqrt(ax * ax + ay * ay), z, aside, differs);
+    });
+  }
+}
+
+/// Calls visit(cell, how far its centre lies from the way's begin in x, in y) for the cells around a way.
+template <typename Visit>
+void ProfileField::near(const BodyWay& way, double reach, Visit visit) const {
+  const auto column = [&](double v) {
+    return std::clamp(static_cast<int>(std::floor((v - x0_) / cell_)), 0, columns_ - 1);
+  };
+  const auto row = [&](double v) {
+    return std::clamp(static_cast<int>(std::floor((v - y0_) / cell_)), 0, rows_ - 1);
+  };
+  const auto [left, right] = std::minmax(way.x0, way.x1);
+  const auto [low, high] = std::minmax(way.y0, way.y1);
+  const int first_column = column(left - reach), last_column = column(right + reach),
+            last_row = row(high + reach);
+  for (int r = row(low - reach); r <= last_row; ++r) {
+    for (int c = first_column; c <= last_column; ++c)
+      visit(static_cast<std::size_t>(r * columns_ + c), x0_ + (c + 0.5) * cell_ - way.x0,
+            y0_ + (r + 0.5) * cell_ - way.y0);
   }
 }
 

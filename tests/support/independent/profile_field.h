@@ -63,6 +63,8 @@ class ProfileField {
   };
   template <typename Matters, typename Visit>
   void along(const TurnedBody& body, const BodyWay& way, Matters matters, Visit visit) const;
+  template <typename Visit>
+  void near(const BodyWay& way, double reach, Visit visit) const;
   std::size_t index_of(double x, double y) const;
   double standing(std::size_t cell, double low, double high) const;
 
