@@ -79,7 +79,7 @@ bool is_free_above(const Part& part, const Feature& feature, const plan::RoundOn
   return stands.empty();
 }
 
-/// Number of steps on the feature of a step, and whether all of them have its tool.
+/// Number of steps on the feature of a step, and whether all of them that leave no more than it on the walls have its tool.
 struct StepsOnFeature {
   int count = 0;
   bool same_tool = true;
@@ -90,7 +90,9 @@ StepsOnFeature steps_on_feature(const Part& part, const Workingstep& step) {
   for (const Workingstep& other : part.workplan) {
     if (other.feature != step.feature) continue;
     ++steps.count;
-    steps.same_tool = steps.same_tool && other.operation.tool == step.operation.tool;
+    const bool comes_to_walls =
+        other.operation.allowance_side <= step.operation.allowance_side + kSamePlaceMm;
+    steps.same_tool = steps.same_tool && (!comes_to_walls || other.operation.tool == step.operation.tool);
   }
   return steps;
 }
@@ -132,6 +134,45 @@ void keep_off_fillet(Layer& layer, const Feature& feature, const plan::RoundedEn
   layer.target = intersect(layer.target, layer.allowed, tol);
 }
 
+/// The end of the cutter of a step, as it comes to the walls of the step's feature.
+plan::RoundedEnd end_of(const Workingstep& step, const ResolvedPlan& plan, bool meets_none) {
+  const plan::RoundOnWall touch{outer_profile(tool_of(plan.part, step)).round,
+                                feature_of(plan.part, step).wall_slope.radians()};
+  return {touch.round, touches_walls(plan.part, step, touch, meets_none, plan.tol)};
+}
+
+/// Whether a step cuts layers of the same feature as a later one, and comes no nearer to its walls.
+bool cuts_layers_before(const Workingstep& earlier, const Workingstep& step, const Part& part) {
+  return earlier.feature == step.feature && earlier.operation.kind != OperationKind::kBottomFinishing &&
+         clears_floors(tool_of(part, earlier)) &&
+         earlier.operation.allowance_side >= step.operation.allowance_side - kSamePlaceMm;
+}
+
+/// The heights that all earlier steps share on a feature with leaning walls; the topmost layer begins at `top`.
+std::vector<double> heights_of_earlier(int index, const ResolvedPlan& plan, double top, bool meets_none) {
+  const Part& part = plan.part;
+  const Workingstep& step = part.workplan[static_cast<std::size_t>(index)];
+  const Feature& feature = feature_of(part, step);
+  std::vector<double> shared;
+  if (feature.wall_slope.radians() <= 0) return shared;
+  for (int i = 0; i < index; ++i) {
+    const Workingstep& earlier = part.workplan[static_cast<std::size_t>(i)];
+    if (!cuts_layers_before(earlier, step, part)) continue;
+    const std::vector<double> heights =
+        plan::heights_of(feature, earlier.operation, tool_of(part, earlier).radius(),
+                         end_of(earlier, plan, meets_none), top, shared);
+    if (shared.empty()) {
+      shared = heights;
+      continue;
+    }
+    std::erase_if(shared, [&](double z) {
+      return std::none_of(heights.begin(), heights.end(),
+                          [&](double other) { return std::abs(z - other) <= kSamePlaceMm; });
+    });
+  }
+  return shared;
+}
+
 /// The layers of one workingstep over which something still stands. Open features cut only that, and pockets of which
 /// nothing but stock of earlier work is left; in others the walls bound every pass, so the whole layer is cut.
 std::vector<Layer> standing_layers(int index, const ResolvedPlan& plan, double reserve_share) {
@@ -155,12 +196,12 @@ std::vector<Layer> standing_layers(int index, const ResolvedPlan& plan, double r
   const features::Standing standing(part, index, plan.tol, [&plan](int earlier) {
     return !plan.steps[static_cast<std::size_t>(earlier)].published_grid;
   });
-  const plan::RoundOnWall touch{outer_profile(tool).round, feature.wall_slope.radians()};
-  const bool touches = touches_walls(part, step, touch, met.empty(), plan.tol);
-  const plan::RoundedEnd end{touch.round, touches};
-  if (touches) met.touch_walls(touch);
+  const plan::RoundedEnd end = end_of(step, plan, met.empty());
+  const double top = standing.top();
+  const std::vector<double> others = heights_of_earlier(index, plan, top, met.empty());
+  if (end.touches_walls) met.touch_walls({end.round, feature.wall_slope.radians()});
   auto layers = plan::layers_of(feature, operation, tool.radius() - narrower, plan.tol, end,
-                                standing.top() - feature.top_z);
+                                top - feature.top_z, others);
   MeetingPockets missed = met;  // layers that nothing stands over widen no others
   for (auto at = layers.rbegin(); at != layers.rend(); ++at) {
     Layer& layer = *at;

@@ -65,6 +65,26 @@ bool same_areas(const Layer& a, const Layer& b) {
          a.bare == b.bare && same_outline(a.allowed, b.allowed) && same_outline(a.target, b.target);
 }
 
+/// Heights in steps of at most `step`, as many of them as can be from `others`: the lowest within a step, and where there is none the
+/// way to the next one is divided.
+std::vector<double> heights_among(const std::vector<double>& others, double top, double floor_z,
+                                  double step) {
+  std::vector<double> heights;
+  const auto go_down_to = [&](double z) {
+    const double from = heights.empty() ? top : heights.back();
+    if (from - z <= kSamePlaceMm) return;
+    for (const double between : layer_heights(from, z, step)) heights.push_back(between);
+  };
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    if (others[i] <= floor_z + kSamePlaceMm) break;
+    const double from = heights.empty() ? top : heights.back();
+    const double next = i + 1 < others.size() ? std::max(others[i + 1], floor_z) : floor_z;
+    if (from - next > step + kSamePlaceMm) go_down_to(others[i]);
+  }
+  go_down_to(floor_z);
+  return heights;
+}
+
 /// Adds the height at which an end sharper than the fillet at the foot of leaning walls is beside the wall for the last time: lower layers
 /// keep off the fillet.
 void add_height_over_fillet(std::vector<double>& heights, const Feature& feature, double round) {
@@ -97,8 +117,19 @@ std::vector<double> layer_heights(double top_z, double floor_z, double stepdown)
   return heights;
 }
 
+std::vector<double> heights_of(const Feature& feature, const Operation& operation, double tool_radius,
+                               const RoundedEnd& end, double top, const std::vector<double>& others) {
+  const double floor_z = feature.floor_z + operation.allowance_floor;
+  const double step = step_for(feature, operation, tool_radius, end);
+  std::vector<double> heights =
+      others.empty() ? layer_heights(top, floor_z, step) : heights_among(others, top, floor_z, step);
+  add_height_over_fillet(heights, feature, end.round);
+  return heights;
+}
+
 std::vector<Layer> layers_of(const Feature& feature, const Operation& operation, double tool_radius,
-                             const Tolerances& tol, const RoundedEnd& end, double stock_above) {
+                             const Tolerances& tol, const RoundedEnd& end, double stock_above,
+                             const std::vector<double>& others) {
   const double draft = feature.wall_slope.radians();
   const bool is_ball = end.round >= tool_radius, is_near = end.touches_walls && draft > 0 && end.round > 0;
   const double beside = is_near ? RoundOnWall{end.round, draft}.beside() : end.round;
@@ -108,9 +139,7 @@ std::vector<Layer> layers_of(const Feature& feature, const Operation& operation,
   const double rounded = is_ball ? beside - cleared : end.round;
   std::vector<Layer> layers;
   double top = feature.top_z + stock_above;
-  std::vector<double> heights = layer_heights(top, floor_z, step_for(feature, operation, tool_radius, end));
-  add_height_over_fillet(heights, feature, end.round);
-  for (const double z : heights) {
+  for (const double z : heights_of(feature, operation, tool_radius, end, top, others)) {
     Layer layer = outline_at(feature, z, tol);
     layer.z_top = top;
     layer.tool_radius = cleared;

@@ -37,7 +37,14 @@ struct RoundedEnd {
 /// distance from walls, but no wider than the ball is at the top of the feature. `stock_above`: height of the material
 /// left by earlier work above the top of the feature, mm; the first layer begins at the top of this material.
 std::vector<Layer> layers_of(const Feature& feature, const Operation& operation, double tool_radius,
-                             const Tolerances& tol, const RoundedEnd& end = {}, double stock_above = 0);
+                             const Tolerances& tol, const RoundedEnd& end = {}, double stock_above = 0,
+                             const std::vector<double>& others = {});
+
+/// The heights of these layers, of which the topmost begins at `top`. `others`: heights at which other steps come to the same leaning
+/// walls, from the top down. What one cutter leaves on a wall at a height the other has to cut at the same height, or the wall of
+/// neither is ever cleared as a whole: they are kept as far as the stepdown allows.
+std::vector<double> heights_of(const Feature& feature, const Operation& operation, double tool_radius,
+                               const RoundedEnd& end, double top, const std::vector<double>& others = {});
 
 /// Whether both hold the same regions, edge by edge.
 bool same_outline(const Regions& a, const Regions& b);

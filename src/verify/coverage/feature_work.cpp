@@ -350,14 +350,14 @@ class WorkCheck {
     const Feature& feature = part_.features[static_cast<std::size_t>(work.feature)];
     const auto scallop = scallop_of(feature, work, options_.tol);
     const bool leaves_more = scallop && scallop->height_mm > *scallop->asked_mm + options_.tol.uncut;
-    if (!leaves_more || !work.smallest) return;
-    const bool is_rounded = rounding_of(work.smallest) > 0,
-               is_flat = work.smallest_flat >= work.smallest_radius;
+    if (!leaves_more || !work.on_walls) return;
+    const bool is_rounded = rounding_of(work.on_walls) > 0,
+               is_flat = flat_end(*work.on_walls) >= work.on_walls->radius();
     // Rounded ends may also run nearer to the wall than a flat end could.
     if (!is_rounded && (!is_flat || !any_slopes(feature))) return;
     const double draft = feature.wall_slope.radians(),
                  apart = kHeightShare * *scallop->asked_mm / base::sin(draft);
-    const double above_corner = work.floor.z + corner_height(feature, work.smallest);
+    const double above_corner = work.floor.z + corner_height(feature, work.on_walls);
     const double depth = feature.top_z - work.floor.z;
     const int heights = static_cast<int>(std::clamp(std::ceil(depth / apart), 1.0, 1.0 * kMostHeights));
     // From the top; the top itself is left out, because no material is above it.
@@ -467,13 +467,27 @@ double most_left(std::span<const LayerOnWall> layers, double from, double to, do
   return most;
 }
 
+/// Whether a cutter reaches more than another: a narrower one, or one as wide with a wider flat.
+bool reaches_more(const Tool& tool, const Tool& other) {
+  return tool.radius() < other.radius() ||
+         (tool.radius() == other.radius() && flat_end(tool) > flat_end(other));
+}
+
+/// After a step with this tool, which may come nearer to the walls than those before.
+void refine_on_walls(FeatureWork& work, const Operation& operation, const Tool& tool) {
+  const bool is_nearer = operation.allowance_side < work.allowance_side;
+  const bool is_as_near = operation.allowance_side == work.allowance_side;
+  if (!work.on_walls || is_nearer || (is_as_near && reaches_more(tool, *work.on_walls)))
+    work.on_walls = &tool;
+}
+
 void refine(FeatureWork& work, const Operation& operation, const Tool& tool) {
+  refine_on_walls(work, operation, tool);
   const double radius = tool.radius(), flat = flat_end(tool);
   if (radius < work.smallest_radius || (radius == work.smallest_radius && flat > work.smallest_flat)) {
     work.smallest_radius = radius;
     work.smallest_flat = flat;
     work.ends_in_point = flat <= 0 && outer_profile(tool).round <= 0;
-    work.smallest = &tool;
   }
   work.greatest_radius = std::max(work.greatest_radius, radius);
   work.allowance_side = std::min(work.allowance_side, operation.allowance_side);
@@ -490,9 +504,9 @@ std::optional<Scallop> scallop_of(const Feature& feature, const FeatureWork& wor
   Scallop scallop{0, work.scallop.value_or(tol.scallop), feature.top_z};
   std::vector<LayerOnWall> layers;
   for (const LevelCoverage& layer : work.layers)
-    layers.push_back({layer.z, layer.tool ? layer.tool : work.smallest});
-  layers.push_back({work.floor.z, work.smallest});
-  const double above_corner = work.floor.z + corner_height(feature, work.smallest);
+    layers.push_back({layer.z, layer.tool ? layer.tool : work.on_walls});
+  layers.push_back({work.floor.z, work.on_walls});
+  const double above_corner = work.floor.z + corner_height(feature, work.on_walls);
   double above = feature.top_z;
   for (std::size_t i = 0; i < layers.size(); ++i) {
     const double to = above - layers[i].z, from = std::max(above_corner - layers[i].z, 0.0);
@@ -525,7 +539,6 @@ std::vector<FeatureWork> works_of(const Part& part) {
       first.feature = step.feature;
       first.smallest_radius = first.greatest_radius = tool.radius();
       first.smallest_flat = -1;
-      first.smallest = &tool;
       first.allowance_side = operation.allowance_side;
       first.allowance_floor = operation.allowance_floor;
       works.push_back(first);

@@ -39,7 +39,7 @@ struct FeatureWork {
   double smallest_flat = 0;    ///< mm; radius of the smallest cutter's flat end
   bool ends_in_point = false;  ///< the smallest cutter has no flat end
   double greatest_radius = 0;
-  const Tool* smallest = nullptr;  ///< the smallest cutter
+  const Tool* on_walls = nullptr;  ///< the smallest cutter of those that leave the least stock on walls
   double allowance_side = 0;
   double allowance_floor = 0;
   std::optional<double> scallop;  ///< mm; greatest step allowed on walls with draft, square to the wall
