@@ -125,6 +125,10 @@ def holes():
     c.add("tap-shallow", CYCLES, tap(z=-8.5), "FAULTY", "uncut", "ends the thread a millimetre early", **tapped)
     c.add("tap-missing", CYCLES, tap(word=""), "FAULTY", "nothing-cut", "leaves the thread out", **tapped)
     c.add("hole-shallow", CYCLES, tap(drill=-10.5), "FAULTY", "uncut", "drills a millimetre less than the tap needs", **tapped)
+    c.add("tap-wide", CYCLES, tap(), "FAULTY", "thread", "drills at the diameter of the thread: nothing is left of it",
+          part="tapped.dxf", tools=["drill:6:T1", "tap:M6:floating:T2", "drill:5:T3"])
+    c.right("right-tap-wide", CYCLES, tap(), "drills at the greatest core diameter", part="tapped.dxf",
+            tools=["drill:5.15:T1", "tap:M6:floating:T2", "drill:5:T3"])
     milled = {"part": "threaded.dxf", "tools": ["drill:18.5:T1", "threadmill:12:T2"]}
     c.right("right-thread", CYCLES, thread(), "mills the thread on its helix", **milled)
     c.add("thread-pitch", CYCLES, thread(pitch=1.25, low=-9.25, turns=9), "FAULTY", "thread", "climbs 1.25 mm a turn", **milled)
@@ -134,6 +138,8 @@ def holes():
     c.add("thread-lead", CYCLES, thread(lead=0), "FAULTY", "thread", "comes in level, across the thread", **milled)
     c.add("thread-low", CYCLES, thread(turns=6), "FAULTY", "uncut", "ends the thread half a millimetre below the top", **milled)
     c.add("thread-shallow", CYCLES, thread(low=-6.5, turns=5), "FAULTY", "uncut", "ends the thread early", **milled)
+    c.add("thread-wide-core", CYCLES, thread(), "FAULTY", "thread", "drills into the thread before it is milled",
+          part="threaded.dxf", tools=["drill:19:T1", "threadmill:12:T2", "drill:18.5:T3"])
     for stops in (0, 1, 4):
         c.add(f"thread-stopped-{stops}", CYCLES, thread(stops=stops), "FAULTY", "spindle-off", "stops the spindle within the thread", **milled)
     sunk = {"part": "sunk.dxf", "tools": ["drill:4.5:T1", "chamfer:90deg:10:tip=0.4:T2"]}

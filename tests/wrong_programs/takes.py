@@ -198,6 +198,9 @@ def takes():
     c.right("right-ream", CYCLES, ream("G85"), "feeds the reamer out", **reamed)
     c.add("ream-rapid", CYCLES, ream("G81"), "FAULTY", "more-than-it-cuts", "pulls the reamer out at the rapid", **reamed)
 
+    c.add("ream-wide", CYCLES, ream("G85"), "FAULTY", "nothing-cut", "drills the hole to size: the reamer turns in the air", part="reamed.dxf",
+          tools=["drill:6:T1", "reamer:6:T2", "drill:5.8:T3"])
+
     def orbit(radius, z=-8):
         """A mill that widens a hole about 10, 10 down to z, two millimetres a turn."""
         def blocks(p):

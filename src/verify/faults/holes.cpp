@@ -21,6 +21,8 @@ constexpr double kSameSize = 0.005;
 constexpr double kNearSize = 0.05 + kSameSize;
 /// mm. Pecks of rounded words differ by less from the stated ones.
 constexpr double kPeckSlack = 0.01;
+/// mm. A wider mouth is no matter to a reamed or bored wall.
+constexpr double kMouth = 0.5;
 /// mm. Rising by less breaks no chip.
 constexpr double kLeastRise = 0.01;
 
@@ -124,6 +126,8 @@ class HoleCheck {
       add(FaultKind::kUncut, lowest - hole_.full_z, lowest, 0,
           name + " goes down to z " + trimmed(lowest, 3) + " only, and shall to z " +
               trimmed(hole_.full_z, 3));
+    check_left_for_tool(kind, hole_.diameter - 2 * options_.tol.uncut, feature_.top_z - kMouth,
+                        name + " would find nothing to cut");
   }
 
   /// Level arcs of one cone about the axis, at one height and distance.
@@ -186,7 +190,54 @@ class HoleCheck {
            tool.left_hand == hole_.thread->left_hand;
   }
 
+  /// Whether another feature than the hole before this one opens the place below the top: what is cut there is its own.
+  bool is_open_beside(double widest) const {
+    const Box axis{hole_.center, hole_.center}, narrow = axis.grown(widest / 2);
+    return std::any_of(part_.features.begin(), part_.features.end(), [&](const Feature& other) {
+      if (&other == &feature_ || other.floor_z >= feature_.top_z - options_.tol.uncut) return false;
+      const Box there = box(other.target);
+      const bool is_before = narrow.contains(there.min) && narrow.contains(there.max);
+      return !is_before && there.overlaps(axis.grown(hole_.diameter / 2));
+    });
+  }
+
+  /// mm; width to which a cutter opens the hole below z on this move, 0 where it comes no nearer than the finished wall.
+  double opened_by(const CheckedMove& checked, double z) const {
+    if (checked.low_z() >= z) return 0;
+    const double radius = radius_at(*checked.tool, z - checked.low_z());
+    const Edge& path = checked.move->path;
+    const bool stands = path.from == path.to;
+    const double nearest = stands ? distance(path.from, hole_.center) : distance(path, hole_.center);
+    if (nearest >= hole_.diameter / 2 + radius) return 0;
+    const double farthest = std::max(distance(path.from, hole_.center), distance(path.to, hole_.center));
+    return 2 * std::min(std::max(nearest, farthest) + radius, hole_.diameter / 2);
+  }
+
+  /// A thread, a reamed or a bored wall is made by its own tool of what stands there: others must not have opened the hole beyond
+  /// `widest`. What widens its mouth, down to `below`, is no matter.
+  void check_left_for_tool(ToolKind own, double widest, double below, const std::string& what) {
+    if (is_open_beside(widest + 2 * options_.tol.gouge)) return;
+    for (const CheckedMove& checked : program_.moves) {
+      if (!checked.tool || checked.tool->kind == own || !checked.counts_below(feature_.top_z)) continue;
+      const double opened = opened_by(checked, below);
+      if (opened <= widest + 2 * options_.tol.gouge) continue;
+      add(hole_.thread ? FaultKind::kThread : FaultKind::kNothingCut, (opened - widest) / 2, checked.low_z(),
+          checked.move->line,
+          "T" + std::to_string(checked.tool_number) + " opens it to " + trimmed(opened, 3) + " mm, and " +
+              what);
+      return;
+    }
+  }
+
+  void check_left_for_thread(ToolKind own) {
+    const Thread& thread = *hole_.thread;
+    const double widest = minor_diameter(thread) + minor_tolerance(thread);
+    check_left_for_tool(own, widest, feature_.top_z - thread.pitch,
+                        thread.name + " needs a hole of at most " + trimmed(widest, 3));
+  }
+
   void check_tap() {
+    check_left_for_thread(ToolKind::kTap);
     double lowest = std::numeric_limits<double>::infinity();
     for (const std::size_t i : upright_) {
       const CheckedMove& checked = at(i);
@@ -208,6 +259,7 @@ class HoleCheck {
   void check_thread() {
     if (!is_milled_)
       return add_missing(hole_.external ? "no thread mill works about it" : "no thread mill works in it");
+    if (!hole_.external) check_left_for_thread(ToolKind::kThreadMill);
     for (const ThreadDefect& defect : defects_of_thread(feature_, mills_)) {
       const FaultKind kind = defect.kind == ThreadDefect::Kind::kNothing   ? FaultKind::kNothingCut
                              : defect.kind == ThreadDefect::Kind::kShallow ? FaultKind::kUncut
