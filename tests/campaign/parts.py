@@ -374,11 +374,18 @@ def hold(part):
         part.options += ["--tabs", "2"]
 
 
+def with_top(line, top):
+    """The line of the description of a thread, which begins at the faced top."""
+    words = line.split()
+    return " ".join(words[:6] + [number(top)] + words[7:]) if words[0] == "thread" else line
+
+
 def around(part, mills, r):
     """Now and then the whole is faced, or cut out of a wider block. Widths that are stated at the top would be those of the faced top."""
     w, h = part.width, part.height
     if r.random() < 0.12 and not {"carving", "chamfer", "countersink"} & set(part.kinds):
         part.kinds.append("face")
+        part.lines = [with_top(line, -0.7) for line in part.lines]
         part.box("FACE_D0.7", w / 2, h / 2, w, h)
         part.element("face", "all", [(0, -0.7)], [(0, -0.7)])
     elif "t_slot" not in part.kinds and r.random() < 0.2:
@@ -420,7 +427,10 @@ def wall(depth, lean, fillet, more=0):
             points.append((centre - fillet * math.sin(angle), fillet * (1 - math.cos(angle)) - depth))
     else:
         points.append((foot, -depth))
-    return [(a, min(0, z + more)) for a, z in points]
+    raised = [(a, min(0, z + more)) for a, z in points]
+    if more > 0 and lean and more < depth:
+        raised.insert(1, (more * math.tan(lean), 0))    # below the edge the wall stands as high as its edge
+    return raised
 
 
 def leaning_part(r):
