@@ -5,7 +5,7 @@ OUT := out
 configure = cmake --preset release $(1) -DCLEARCUT_PRECOMPILED_HEADERS=ON $(CMAKE_ARGS) > build-configure.log 2>&1 || (cat build-configure.log; exit 1); \
             rm -f build-configure.log
 
-.PHONY: all setup build prove demo test campaign web web-checker verify-module test-verify-module test-web windows test-windows python dist packages reproduce-packages docs pictures format lint-viewer test-browser test-freecad clean
+.PHONY: all setup build prove demo test campaign campaign-stepnc web web-checker verify-module test-verify-module test-web windows test-windows python dist packages reproduce-packages docs pictures format lint-viewer test-browser test-freecad clean
 all: build
 
 setup:
@@ -31,6 +31,9 @@ test: build
 CAMPAIGN :=
 campaign: build
 	@python3 tests/campaign/campaign.py $(BUILD)/apps/cli/clearcut $(BUILD)/tests/campaign_judge $(OUT)/campaign $(CAMPAIGN)
+# Random STEP-NC programs, with attributes changed and toolpaths written back: make campaign-stepnc CAMPAIGN="--first 1 --files 300 --mutants 8".
+campaign-stepnc: build
+	@python3 tests/campaign/stepnc.py $(BUILD)/apps/cli/clearcut $(BUILD)/tests/campaign_judge $(OUT)/campaign $(CAMPAIGN)
 
 # The page without a server: build/web/site, which any static host serves; planning runs in the browser as WebAssembly.
 web:

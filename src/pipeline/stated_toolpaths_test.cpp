@@ -281,6 +281,17 @@ TEST(StatedToolpathPlans, OneTrajectoryIsLinkedAndCertified) {
   EXPECT_EQ(cuts, 1);
 }
 
+/// The default of half the diameter is not asked of a path that goes deeper at once.
+TEST(StatedToolpathPlans, WithoutACuttingDepthTheLayersAreThoseOfThePath) {
+  std::string text = kSlotProgram;
+  for (const char* z : {"(0.,0.,-2.)", "(0.,0.,-2.)", "(20.,0.,-2.)"})
+    if (const std::size_t at = text.find(z); at != std::string::npos)
+      text.replace(text.find("-2.)", at), 4, "-6.)");
+  text.replace(text.find("STRATEGY,2."), 11, "#37,$");
+  const PlanResult deep = plan_part(read::read_part_text(text, "slot.p21", {}), {});
+  EXPECT_EQ(verdict_and_reasons(deep.findings), "CLEAN\n");
+}
+
 TEST(StatedToolpathPlans, ATrajectoryThatIsNotUsedIsSaid) {
   const PlanResult plan = plan_part(slot("$"), {});
   EXPECT_EQ(verdict_of(plan.findings), Verdict::kConditional);

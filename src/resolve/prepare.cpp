@@ -298,10 +298,14 @@ bool leaves_steps(const Feature& feature, const Tool& tool) {
 }
 
 /// Fills absent values; returns the names of the defaulted values.
-std::vector<std::string> apply_defaults(Operation& operation, const Tool& tool, const Feature& feature,
+std::vector<std::string> apply_defaults(Workingstep& step, const Tool& tool, const Feature& feature,
                                         const PlanOptions& options, Sources& sources) {
   Defaults defaults(sources);
+  Operation& operation = step.operation;
   auto& cutting = operation.cutting;
+  if (path_of(step) != nullptr)
+    defaults.fill(operation.stepdown, std::max(feature.top_z - feature.floor_z, 1e-3), "stepdown",
+                  {Origin::kDerived, "the toolpath that the file states"});
   const double stepdown = default_stepdown(tool, feature);
   defaults.fill(operation.stepdown, stepdown, "stepdown", {Origin::kDefault, default_stepdown_rule(tool)},
                 makes_holes(tool) || works_at_once(tool) || is_formed(feature)
@@ -460,7 +464,7 @@ Part prepare(Part part, const PlanOptions& options, StepSources& sources) {
     const auto& tool = tool_of(part, step);
     const auto& feature = feature_of(part, step);
     if (tool.kind != ToolKind::kTap) apply_material(part, step, options, sources[step_key(step)], told);
-    for (auto& text : apply_defaults(step.operation, tool, feature, options, sources[step_key(step)])) {
+    for (auto& text : apply_defaults(step, tool, feature, options, sources[step_key(step)])) {
       text += " (T" + std::to_string(tool.number) + ")";
       if (std::find(noted.begin(), noted.end(), text) == noted.end()) noted.push_back(text);
     }

@@ -327,8 +327,9 @@ ResolvedPlan resolve_whole(const PlanOptions& options) {
 ResolvedPlan resolve(const Part& part, const PlanOptions& options, const StrategyTable& strategies) {
   ResolvedPlan plan = resolve_whole(options);
   StepSources sources;
-  plan.part = prepare(part, options, sources);
-  choose_toolpaths(plan.part, options);
+  Part chosen = part;
+  choose_toolpaths(chosen, options);
+  plan.part = prepare(std::move(chosen), options, sources);
   for (std::size_t i = 0; i < plan.part.workplan.size(); ++i) {
     const Workingstep& planned = plan.part.workplan[i];
     const auto strategy = strategy_of(planned, options, strategies, plan.part.diagnostics,

@@ -132,12 +132,24 @@ bool is_point(const KeepOut& clamp) {
   return clamp.plan.min == clamp.plan.max && clamp.bottom_z == clamp.top_z;
 }
 
+/// Which tools of a set-up are written.
+enum class WrittenTools : unsigned char {
+  kAll,
+  kUsed,  ///< those of its workingsteps: others are written with the set-up that uses them
+};
+
 /// One set-up: SETUP, tools, features, operations and workingsteps.
 class SetupWriter {
  public:
   /// `toolpath`: null if none is written.
-  SetupWriter(P21Writer& out, const P21Common& common, const Part& part, const Toolpath* toolpath)
-      : part_(part), toolpath_(toolpath), out_(out), common_(common), paths_(out_, common_, part.safe_z()) {}
+  SetupWriter(P21Writer& out, const P21Common& common, const Part& part, const Toolpath* toolpath,
+              WrittenTools tools)
+      : part_(part),
+        toolpath_(toolpath),
+        written_tools_(tools),
+        out_(out),
+        common_(common),
+        paths_(out_, common_, part.safe_z()) {}
 
   /// The reference of the SETUP.
   std::string write(const std::string& name) {
@@ -185,21 +197,43 @@ class SetupWriter {
   }
 
   bool counter_clockwise(int tool) const {
-    return std::any_of(part_.workplan.begin(), part_.workplan.end(), [&](const Workingstep& step) {
-      return step.operation.tool == tool && !step.operation.cutting.spindle_clockwise;
-    });
+    return any_step_of(tool,
+                       [](const Workingstep& step) { return !step.operation.cutting.spindle_clockwise; });
+  }
+
+  template <typename Matches>
+  bool any_step_of(int tool, Matches matches) const {
+    return std::any_of(part_.workplan.begin(), part_.workplan.end(),
+                       [&](const Workingstep& step) { return step.operation.tool == tool && matches(step); });
+  }
+
+  /// A spot drill that also countersinks has the body that countersinking needs.
+  std::string_view body_of(int number) const {
+    const Tool& tool = part_.tools[static_cast<std::size_t>(number)];
+    if (has_blunt_tip(tool)) return "TAPERED_ENDMILL";
+    const auto countersinks = [&](const Workingstep& step) {
+      return is_countersunk(feature_of(part_, step));
+    };
+    if (tool.kind == ToolKind::kSpotDrill && any_step_of(number, countersinks)) return "COUNTERSINK";
+    return body_keyword(tool.kind);
   }
 
   void write_tools() {
     for (std::size_t i = 0; i < part_.tools.size(); ++i) {
       const Tool& tool = part_.tools[i];
+      const int number = static_cast<int>(i);
+      if (written_tools_ == WrittenTools::kUsed &&
+          !any_step_of(number, [](const Workingstep&) { return true; })) {
+        tools_.push_back(kUnset);
+        continue;
+      }
       const std::string size = out_.add("MILLING_TOOL_DIMENSION",
                                         {width_of(tool), top_angle_of(tool), kUnset, edge_length_of(tool),
                                          p21_real(tool.corner_radius), kUnset, kUnset});
-      const bool left_handed = tool.left_hand || counter_clockwise(static_cast<int>(i));
+      const bool left_handed = tool.left_hand || counter_clockwise(number);
       const char* hand = left_handed ? ".LEFT." : ".RIGHT.";
       std::vector<std::string> arguments = {size, std::to_string(tool.teeth), hand, ".F.", kUnset};
-      const std::string_view keyword = has_blunt_tip(tool) ? "TAPERED_ENDMILL" : body_keyword(tool.kind);
+      const std::string_view keyword = body_of(number);
       if (keyword == "SIDE_MILL" || keyword == "COUNTERSINK") arguments.push_back(kUnset);
       if (tool.kind == ToolKind::kTSlot) arguments.push_back(edge_length_of(tool));
       if (keyword == "TAPERED_ENDMILL")
@@ -493,6 +527,7 @@ class SetupWriter {
 
   const Part& part_;
   const Toolpath* toolpath_;
+  WrittenTools written_tools_;
   P21Writer& out_;
   P21Common common_;
   ToolpathWriter paths_;
@@ -581,7 +616,8 @@ class ProgramWriter {
 
   void write_workplan(int id) {
     if (setups_.size() == 1) {
-      SetupWriter writer(out_, common_of(setups_.front()), *setups_.front().part, setups_.front().toolpath);
+      SetupWriter writer(out_, common_of(setups_.front()), *setups_.front().part, setups_.front().toolpath,
+                         WrittenTools::kAll);
       const std::string setup = writer.write("setup");
       out_.put(id, "WORKPLAN", {"'main workplan'", p21_list(writer.steps()), kUnset, setup, kUnset});
       return;
@@ -589,7 +625,8 @@ class ProgramWriter {
     std::vector<std::string> plans;
     for (std::size_t i = 0; i < setups_.size(); ++i) {
       const std::string name = "set-up " + std::to_string(i + 1);
-      SetupWriter writer(out_, common_of(setups_[i]), *setups_[i].part, setups_[i].toolpath);
+      SetupWriter writer(out_, common_of(setups_[i]), *setups_[i].part, setups_[i].toolpath,
+                         WrittenTools::kUsed);
       const std::string setup = writer.write(name);
       plans.push_back(
           out_.add("WORKPLAN", {p21_string(name), p21_list(writer.steps()), kUnset, setup, kUnset}));

@@ -152,6 +152,17 @@ TEST(StepNcVees, AreCutByAConeOfTheirAngle) {
               HasSubstr("do not lean alike"));
 }
 
+TEST(StepNcVees, LeanAlikeWhereNoTiltIsStatedInDegreesToo) {
+  Program p = slot("VEE_PROFILE($,$,60.,$)", "RADIUSED_SLOT_END_TYPE()", "COUNTERSINK(#33,1,.RIGHT.,$,$,$)",
+                   "MILLING_TOOL_DIMENSION(12.,60.,$,20.,$,$,$)");
+  p.with(900, "(GLOBAL_UNIT_ASSIGNED_CONTEXT((#901))REPRESENTATION_CONTEXT('',''))");
+  p.with(901, "(CONVERSION_BASED_UNIT('DEGREE',#902)NAMED_UNIT(*)PLANE_ANGLE_UNIT())");
+  p.with(902, "PLANE_ANGLE_MEASURE_WITH_UNIT(PLANE_ANGLE_MEASURE(0.0174532925),#903)");
+  const Part part = p.with(903, "(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))").read();
+  ASSERT_EQ(part.features.size(), 1U) << all_diagnostics(part);
+  EXPECT_EQ(part.features[0].floor_z, -5);
+}
+
 TEST(StepNcRoundedSlots, AreCutByABallOfTheirWidth) {
   const std::string round = "ROUNDED_U_PROFILE($,#75)", end = "RADIUSED_SLOT_END_TYPE()";
   const std::string ball = "BALL_ENDMILL(#33,2,.RIGHT.,$,$)",

@@ -150,8 +150,12 @@ TEST(StepNcPattern, RectangularWithMissingAndRelocatedMembers) {
   expect_centres(part, {{20, 20}, {35, 20}, {50, 22}, {20, 32}, {50, 32}});
   const Part row = program.feature("RECTANGULAR_PATTERN('GRID',#3,(),#41,#40,#53,#52,$,3,$,$,(),())").read();
   expect_centres(row, {{20, 20}, {35, 20}, {50, 20}});
+  const Part spaced =
+      program.feature("RECTANGULAR_PATTERN('GRID',#3,(),#41,#40,#53,#52,1,3,#54,#55,(),())").read();
+  EXPECT_THAT(all_diagnostics(spaced), HasSubstr("its spacing of rows asks for nothing"));
+  EXPECT_THAT(all_diagnostics(spaced), ::testing::Not(HasSubstr("not followed")));
   EXPECT_THAT(program.feature("RECTANGULAR_PATTERN('GRID',#3,(),#41,#40,#53,#52,2,3,$,$,(),())").error(),
-              HasSubstr("row spacing"));
+              HasSubstr("spacing of rows"));
 }
 
 TEST(StepNcPattern, GeneralIsTheBaseAndACopyAtEachPlace) {

@@ -178,10 +178,19 @@ FieldJudge::Run FieldJudge::untouched() const {
   return run;
 }
 
+std::vector<TipWay> FieldJudge::ways_about_part(const std::string& program) const {
+  std::vector<TipWay> ways = ways_of(program, kSagitta);
+  for (TipWay& tip : ways) {
+    tip.x0 -= part_.zero_x, tip.y0 -= part_.zero_y, tip.z0 -= part_.zero_z;
+    tip.x1 -= part_.zero_x, tip.y1 -= part_.zero_y, tip.z1 -= part_.zero_z;
+  }
+  return ways;
+}
+
 void FieldJudge::run_plan(const std::string& plan) {
   begun_.push_back(plan_);
   try {
-    plan_ways_ = ways_of(plan, kSagitta);
+    plan_ways_ = ways_about_part(plan);
   } catch (const std::runtime_error& error) {
     plan_.wrongs.push_back(std::string("words ") + error.what());
     return;
@@ -196,7 +205,7 @@ void FieldJudge::run_plan(const std::string& plan) {
 FieldJudge::Run FieldJudge::run(const std::string& program) const {
   std::vector<TipWay> ways;
   try {
-    ways = ways_of(program, kSagitta);
+    ways = ways_about_part(program);
   } catch (const std::runtime_error& error) {
     Run none = untouched();
     none.wrongs.push_back(std::string("words ") + error.what());

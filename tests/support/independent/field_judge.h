@@ -43,6 +43,8 @@ class FieldJudge {
   std::vector<Place> all_places() const;
   Run untouched() const;
   void go(Run& run, const TipWay& tip) const;
+  /// The ways of a program in the coordinates of the part.
+  std::vector<TipWay> ways_about_part(const std::string& program) const;
   void run_plan(const std::string& plan);
   Run run(const std::string& program) const;
   const Run& last_before(std::size_t ways) const;

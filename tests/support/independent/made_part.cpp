@@ -38,6 +38,9 @@ MadeShape shape_of(std::istream& words) {
     shape.kind = MadeShape::Kind::kPath;
     words >> shape.round;
     for (double x = 0, y = 0; words >> x >> y;) shape.path.push_back({x, y});
+  } else if (kind == "polygon") {
+    shape.kind = MadeShape::Kind::kPolygon;
+    for (double x = 0, y = 0; words >> x >> y;) shape.path.push_back({x, y});
   } else {
     throw std::runtime_error("unknown shape " + kind);
   }
@@ -108,6 +111,18 @@ double MadeShape::inside(double px, double py) const {
         least = std::min(least, to_line(px, py, path[i], path[i + 1]));
       return round - least;
     }
+    case Kind::kPolygon: {
+      double least = std::numeric_limits<double>::infinity();
+      bool is_inside = false;
+      for (std::size_t i = 0; i < path.size(); ++i) {
+        const auto a = path[i], b = path[(i + 1) % path.size()];
+        least = std::min(least, to_line(px, py, a, b));
+        const bool crosses = (a.second > py) != (b.second > py);
+        if (crosses && px < a.first + (b.first - a.first) * (py - a.second) / (b.second - a.second))
+          is_inside = !is_inside;
+      }
+      return is_inside ? least : -least;
+    }
   }
   return 0;
 }
@@ -151,6 +166,8 @@ MadePart made_part(const std::string& description) {
     if (!(words >> word)) continue;
     if (word == "block") {
       words >> part.x0 >> part.y0 >> part.x1 >> part.y1 >> part.bottom;
+    } else if (word == "zero") {
+      words >> part.zero_x >> part.zero_y >> part.zero_z;
     } else if (word == "cutter") {
       int number = 0;
       words >> number;

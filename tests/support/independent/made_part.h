@@ -13,12 +13,12 @@ namespace clearcut::test_support {
 
 /// A shape in the plane: how far a place lies within it, mm, negative outside.
 struct MadeShape {
-  enum class Kind { kAll, kDisc, kBox, kPath } kind = Kind::kAll;
+  enum class Kind { kAll, kDisc, kBox, kPath, kPolygon } kind = Kind::kAll;
   double x = 0, y = 0;           ///< centre
   double width = 0, height = 0;  ///< kBox
   double round = 0;              ///< radius of a disc, of the corners of a box, half the width of a path
   double angle = 0;              ///< radians that a box is turned
-  std::vector<std::pair<double, double>> path;  ///< corners of its middle line
+  std::vector<std::pair<double, double>> path;  ///< corners of its middle line, of kPolygon of its outline
 
   double inside(double px, double py) const;
 };
@@ -74,6 +74,7 @@ struct MadeCutter {
 
 struct MadePart {
   double x0 = 0, y0 = 0, x1 = 0, y1 = 0, bottom = 0;
+  double zero_x = 0, zero_y = 0, zero_z = 0;  ///< where programs have the origin of the description
   std::map<int, MadeCutter> cutters;
   std::vector<MadeElement> elements;
   std::vector<MadeThread> threads;

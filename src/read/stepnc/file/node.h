@@ -106,6 +106,10 @@ class Context {
 
   /// File's angle to radians.
   double angle(double value) const;
+  /// `otherwise`: radians where the file states none.
+  double angle(const std::optional<double>& value, double otherwise) const {
+    return value ? angle(*value) : otherwise;
+  }
   /// The same for an angle that must be below 90 degrees: larger values are degrees in any file.
   double draft_angle(double value) const;
   /// Notes that hold for many entities are given once, with the entities' labels; see flush().

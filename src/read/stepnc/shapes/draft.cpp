@@ -281,8 +281,8 @@ void read_step_wall(const Node& profile, Draft& draft, Context& context) {
   constexpr double kSameAngles = 1e-3;  // radians
   if (!profile.is("VEE_PROFILE"))
     return profile.fail("the wall of a step needs a VEE_PROFILE; correct the reference");
-  const double angle = context.angle(profile.number(2).value_or(context.degrees ? 90 : kPi / 2));
-  const double tilt = context.angle(profile.number(3).value_or(context.degrees ? 90 : kPi / 2));
+  const double angle = context.angle(profile.number(2), kPi / 2);
+  const double tilt = context.angle(profile.number(3), kPi / 2);
   if (std::abs(angle - tilt) > kSameAngles)
     profile.fail(
         "its floor is not level (profile_angle and tilt_angle differ); machine it in a set-up in which it "

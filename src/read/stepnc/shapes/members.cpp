@@ -204,7 +204,13 @@ Vec2 row_direction(const Node& node, const Frame& frame) {
   return in_plan(axis) / length;
 }
 
-double spacing_of(const Node& pattern, std::size_t argument, const char* what) {
+/// Between one member and the next of `count`; a single one has no next.
+double spacing_of(const Node& pattern, std::size_t argument, const char* what, int count, Context& context) {
+  if (count == 1) {
+    if (pattern.length(argument))
+      context.note(std::string("its ") + what + " asks for nothing: there is one", pattern);
+    return 0;
+  }
   const double spacing = pattern.needed_length(argument, what);
   if (spacing == 0) pattern.fail(std::string(what) + " is zero; correct it");
   return spacing;
@@ -219,10 +225,10 @@ std::vector<Frame> rectangular_members(const Node& pattern, const Frame& frame, 
   if (static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns) > kMostMembers)
     pattern.fail("more than 10000 members; split the pattern");
   const Vec2 along = row_direction(pattern.needed_ref(6, "direction"), frame);
-  const Vec2 column = columns > 1 ? along * spacing_of(pattern, 5, "spacing") : Vec2{};
+  const Vec2 column = along * spacing_of(pattern, 5, "spacing of columns", columns, context);
   const Vec2 across =
       pattern.unset(10) ? left_of(along) : row_direction(pattern.needed_ref(10, "row direction"), frame);
-  const Vec2 row = rows > 1 ? across * spacing_of(pattern, 9, "row spacing") : Vec2{};
+  const Vec2 row = across * spacing_of(pattern, 9, "spacing of rows", rows, context);
   std::vector<Vec2> shift;
   for (int r = 0; r < rows; ++r)
     for (int c = 0; c < columns; ++c) shift.push_back(row * r + column * c);

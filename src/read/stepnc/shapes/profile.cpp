@@ -150,7 +150,7 @@ double vee_angle(const Node& profile, Context& context) {
   const double angle = context.angle(profile.needed_number(2, "profile angle"));
   if (!(angle > 0 && angle < kPi))
     profile.fail("the angle between its sides is not from 0 to 180 degrees; correct it");
-  const double tilt = context.angle(profile.number(3).value_or((kPi - angle) / 2));
+  const double tilt = context.angle(profile.number(3), (kPi - angle) / 2);
   if (std::abs(tilt - (kPi - angle) / 2) > kSameLean)
     profile.fail(
         "its sides do not lean alike (tilt_angle), and no upright cutter makes both at once; write each side "
@@ -171,7 +171,7 @@ void read_tee(const Node& profile, CrossSection& section, Context& context) {
   if (section.undercut_width <= section.width)
     profile.fail("its cross bar is no wider than its neck; write it with SQUARE_U_PROFILE");
   for (const std::size_t angle : {std::size_t{1}, std::size_t{2}}) {
-    const double lean = context.angle(profile.number(angle).value_or(0));
+    const double lean = context.angle(profile.number(angle), 0);
     if (std::abs(lean) > kSameLean && std::abs(lean - kPi / 2) > kSameLean)
       profile.fail("its undercut leans, and T-slot cutters leave it level; give angles of 0");
   }
