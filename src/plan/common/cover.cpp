@@ -19,6 +19,9 @@ constexpr double kHalfDiagonal = 0.7072;
 constexpr std::size_t kFewCurves = 24;
 constexpr int kMostQuarterings = 5;
 
+/// Far above the rounding of a squared distance, as a share of it.
+constexpr double kSquareRounding = 1e-12;
+
 /// Number of pairs of curves whose intersection counts as one step of the WorkBudget.
 constexpr std::uint64_t kPairsPerStep = 64;
 
@@ -150,6 +153,22 @@ double Cover::distance_to(Vec2 p) const {
     }
   }
   return std::sqrt(best);
+}
+
+std::optional<double> Cover::distance_above(double least, Vec2 p) const {
+  double best = std::numeric_limits<double>::infinity();
+  if (grid_.box.empty() || !grid_.box.contains(p)) return best;
+  const double surely_less = (1 - kSquareRounding) * least * least;
+  for (const Cover* cover : {this, base_.get()}) {
+    if (!cover) continue;
+    for (const std::uint32_t i : cover->edges_in_.at(grid_.cell_of(p))) {
+      const double d = cover->strokes_[i].squared_distance(p);
+      if (d < surely_less) return std::nullopt;
+      best = std::min(best, d);
+    }
+  }
+  best = std::sqrt(best);
+  return best > least ? std::optional(best) : std::nullopt;
 }
 
 /// The search for uncleared points, square by square.

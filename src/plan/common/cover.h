@@ -36,6 +36,8 @@ class Cover {
 
   /// Distance from p to the nearest edge, mm; infinite if far greater than the radius.
   double distance_to(Vec2 p) const;
+  /// The same distance if it is greater than `least`, mm; ends with the first edge that is not farther away.
+  std::optional<double> distance_above(double least, Vec2 p) const;
 
   /// Uncleared places for which `matters` is true: at least one at the rim of every hole.
   ///

@@ -9,6 +9,7 @@
 #include "geometry/spatial/cell_grid.h"
 #include "plan/common/cover.h"
 #include "plan/common/machine_clock.h"
+#include "plan/common/outer_rim.h"
 
 namespace clearcut::plan {
 namespace {
@@ -26,15 +27,8 @@ constexpr double kWidest = 4;
 constexpr double kTightest = 0.04;
 /// Factor from one tried radius to the next.
 constexpr double kSmaller = 0.6;
-/// mm. The farthest place cleared by a corner is tested this far inside, and must be cleared with this much reserve.
-constexpr double kAtRim = 1e-6;
 /// mm by which the check's radius is less than the cutter's: more than any program's rounding.
 constexpr double kRoundingMargin = 0.001;
-/// mm. Least depth of the places of a rim inside the area cleared by other edges: smaller depths would require
-/// equally short steps of the proof.
-constexpr double kLeastDepth = 2e-4;
-/// Share of the cutter's radius: no edge is sought that clears a place by more than this.
-constexpr double kEnoughDepth = 0.1;
 /// Factor by which accelerating beside an arc takes longer.
 constexpr double kArcLoss = 1.5;
 /// mm, tolerance of the blends of programs; s, least time saved by a rounded corner, since every additional move
@@ -121,12 +115,17 @@ class Rounder {
     const double turn = base::atan2(std::abs(cross(in, out)), dot(in, out));
     if (turn < kLeastRounded || turn > kMostRounded) return std::nullopt;
     const double tangent = base::tan(turn / 2);
-    double radius = std::min(room / tangent, kWidest * job_.radius);
-    if (radius < kTightest * job_.radius || clears_alone(before, after, in, out)) return std::nullopt;
-    for (; radius >= kTightest * job_.radius; radius *= kSmaller) {
-      if (!saves_time(turn, radius)) return std::nullopt;
-      const RoundedCorner corner = with_arc(before.edge, after.edge, radius, radius * tangent);
-      if (is_legal_arc(corner.arc, *job_.legal) && leaves_nothing(before, after, corner)) return corner;
+    const double widest = std::min(room / tangent, kWidest * job_.radius);
+    if (widest < kTightest * job_.radius || clears_alone(before, after, in, out)) return std::nullopt;
+    std::vector<RoundedCorner> tried;
+    for (double radius = widest; radius >= kTightest * job_.radius && saves_time(turn, radius); radius *= kSmaller)
+      tried.push_back(with_arc(before.edge, after.edge, radius, radius * tangent));
+    // A tighter arc clears all that a wider one does on the outer side: where the tightest leaves something, all do.
+    if (tried.empty() || !leaves_nothing(before, after, tried.back())) return std::nullopt;
+    for (const RoundedCorner& corner : tried) {
+      const bool is_tightest = &corner == &tried.back();
+      if (is_legal_arc(corner.arc, *job_.legal) && (is_tightest || leaves_nothing(before, after, corner)))
+        return corner;
     }
     return std::nullopt;
   }
@@ -176,51 +175,13 @@ class Rounder {
         edges.push_back(edges_[i]);
     }
     const double deviation = distance(corner.arc, before.edge.to) + kAtRim;
-    if (clear_outer_rim(first, second, edges, deviation)) return true;
-    if (!clear_outer_rim(first, second, edges, 0)) return false;
+    if (clear_outer_rim(first, second, edges, job_.proven, deviation)) return true;
+    if (!clear_outer_rim(first, second, edges, job_.proven, 0)) return false;
     const auto was_cut = [&](Vec2 q) {
       return distance(first, q) <= job_.proven || distance(second, q) <= job_.proven;
     };
     const Box where = both.grown(job_.proven);
     return !Cover(edges, job_.proven, where).has_hole(where, was_cut);
-  }
-
-  /// Whether `edges` clear the rim, on the outer side, of the area cleared by the corner's two pieces, and all places
-  /// within `deep` mm of this rim. Places no longer cleared by the arc are no farther inside of the rim than the arc
-  /// deviates from the corner; with a smaller `deep`, an uncleared place inside of the rim is a hole with a complete
-  /// border, found by the exact check.
-  bool clear_outer_rim(const Edge& first, const Edge& second, const std::vector<Edge>& edges,
-                       double deep) const {
-    const Vec2 in = unit(first.to - first.from), out = unit(second.to - second.from), corner = first.to;
-    const double side = cross(in, out) > 0 ? -1 : 1, radius = job_.proven - kAtRim;
-    const Vec2 a = left_of(in) * (side * radius), b = left_of(out) * (side * radius);
-    const Edge rim[] = {
-        Edge::arc(corner + a, corner + b, corner, side > 0 ? Turn::kClockwise : Turn::kCounterClockwise),
-        Edge::line(first.from + a, corner + a), Edge::line(corner + b, second.to + b)};
-    return std::all_of(std::begin(rim), std::end(rim),
-                       [&](const Edge& piece) { return all_cleared(piece, edges, deep); });
-  }
-
-  /// A place at some depth inside the area cleared by an edge proves the rim over this length on both sides.
-  bool all_cleared(const Edge& rim, const std::vector<Edge>& all, double deep) const {
-    const double length = rim.length();
-    std::vector<Edge> edges;
-    const Box reach = rim.box().grown(job_.proven + kAtRim);
-    for (const Edge& edge : all)
-      if (reach.overlaps(edge.box())) edges.push_back(edge);
-    if (edges.empty()) return false;
-    std::size_t last = 0;  // neighbouring places are mostly cleared by the same edge
-    for (double s = 0; s <= length;) {
-      const Vec2 place = rim.at(length > 0 ? s / length : 0);
-      double depth = job_.proven - distance(edges[last], place);
-      for (std::size_t i = 0; i < edges.size() && depth < deep + kEnoughDepth * job_.radius; ++i) {
-        const double there = job_.proven - distance(edges[i], place);
-        if (there > depth) depth = there, last = i;
-      }
-      if (depth < deep + kLeastDepth) return false;
-      s += depth - deep;
-    }
-    return true;
   }
 
   const RoundingJob& job_;

@@ -9,6 +9,7 @@
 #include "base/units.h"
 #include "geometry/spatial/cell_grid.h"
 #include "plan/common/cover.h"
+#include "plan/common/outer_rim.h"
 #include "plan/contour/skeleton/bands.h"
 #include "plan/contour/skeleton/minimise.h"
 
@@ -218,9 +219,9 @@ struct Tightener::Impl {
       Vec2 best = p;
       for (const Vec2 direction : directions) {
         const Vec2 q = p + direction * step;
-        const double d = now.distance_to(q);
-        if (d > depth && d < 2 * job_.radius && job_.matters(q)) {
-          depth = d;
+        const auto d = now.distance_above(depth, q);
+        if (d && *d < 2 * job_.radius && job_.matters(q)) {
+          depth = *d;
           best = q;
         }
       }
@@ -384,6 +385,10 @@ class Polish {
       }
     }
     if (uncovers_outer_side(first, second, edges)) return false;
+    const bool is_blunt = dot(first.to - first.from, second.to - second.from) > 0;
+    if (is_blunt && clear_outer_rim(first, second, edges, radius_,
+                                    distance(edges.front(), first.to) + kAtRim))
+      return true;
     const auto was_cut = [&](Vec2 q) {
       return (distance(first, q) <= radius_ || distance(second, q) <= radius_) && job_.matters(q);
     };
