@@ -118,7 +118,8 @@ class Rounder {
     const double widest = std::min(room / tangent, kWidest * job_.radius);
     if (widest < kTightest * job_.radius || clears_alone(before, after, in, out)) return std::nullopt;
     std::vector<RoundedCorner> tried;
-    for (double radius = widest; radius >= kTightest * job_.radius && saves_time(turn, radius); radius *= kSmaller)
+    for (double radius = widest; radius >= kTightest * job_.radius && saves_time(turn, radius);
+         radius *= kSmaller)
       tried.push_back(with_arc(before.edge, after.edge, radius, radius * tangent));
     // A tighter arc clears all that a wider one does on the outer side: where the tightest leaves something, all do.
     if (tried.empty() || !leaves_nothing(before, after, tried.back())) return std::nullopt;

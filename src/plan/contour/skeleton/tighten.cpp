@@ -386,8 +386,8 @@ class Polish {
     }
     if (uncovers_outer_side(first, second, edges)) return false;
     const bool is_blunt = dot(first.to - first.from, second.to - second.from) > 0;
-    if (is_blunt && clear_outer_rim(first, second, edges, radius_,
-                                    distance(edges.front(), first.to) + kAtRim))
+    if (is_blunt &&
+        clear_outer_rim(first, second, edges, radius_, distance(edges.front(), first.to) + kAtRim))
       return true;
     const auto was_cut = [&](Vec2 q) {
       return (distance(first, q) <= radius_ || distance(second, q) <= radius_) && job_.matters(q);
