@@ -146,5 +146,17 @@ TEST(LegalArea, AFrameFarAroundChangesNothing) {
   }
 }
 
+/// The cells of a pocket with a small island cover the pocket, not only the island: boxes between both are known to be inside.
+TEST(LegalArea, PlacesBesideASmallIslandAreSurelyInside) {
+  const std::vector<Vec2> outer{{0, 0}, {94, 0}, {94, 54}, {0, 54}},
+      island{{34, 14}, {34, 40}, {60, 40}, {60, 14}};
+  const Region region = Region::from_valid_loops(loop_from_points(outer), {loop_from_points(island)});
+  const LegalArea area({region});
+  for (const Vec2 middle : {Vec2{17, 27}, Vec2{47, 7}, Vec2{77, 27}, Vec2{47, 47}}) {
+    EXPECT_TRUE(area.surely_holds(Box{middle, middle}.grown(1))) << middle.x << ' ' << middle.y;
+  }
+  EXPECT_FALSE(area.surely_holds(Box{{47, 27}, {48, 28}}));
+}
+
 }  // namespace
 }  // namespace clearcut::inline geometry

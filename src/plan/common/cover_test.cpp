@@ -187,5 +187,22 @@ TEST(Cover, WithCellsInABoxAloneFindsTheHolesThatLieThere) {
   EXPECT_GT(none, 100);
 }
 
+TEST(Cover, DistancesAboveALeastOneAreTheDistances) {
+  int above = 0, below = 0;
+  for (int seed = 1; seed <= 400; ++seed) {
+    Random random(static_cast<std::uint64_t>(seed));
+    const auto edges = random_paths(random, kKinds[seed % 4], 3 + seed % 11);
+    const Cover cover(edges, random.between(0.5, 1.5));
+    const Vec2 p{random.between(0, 10), random.between(0, 10)};
+    const double distance = cover.distance_to(p), least = random.between(0, 1.5);
+    const auto found = cover.distance_above(least, p);
+    ASSERT_EQ(found.has_value(), distance > least) << seed;
+    EXPECT_EQ(found.value_or(distance), distance) << seed;
+    ++(found ? above : below);
+  }
+  EXPECT_GT(above, 20);
+  EXPECT_GT(below, 20);
+}
+
 }  // namespace
 }  // namespace clearcut::plan
