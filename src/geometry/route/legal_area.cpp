@@ -24,8 +24,9 @@ constexpr double kLongWay = 4;
 constexpr char kUnknown = 2;
 /// Root of how much longer than wide an area may be for its cells to be as many as those of a square one.
 constexpr double kMostSlender = 64;
-/// Share of an area's box from which on the cells cover the whole box.
-constexpr double kMuchSmaller = 0.25;
+/// Number of cells across a square area: at least kFewestAcross, and so many that cells and edges are about as many.
+constexpr double kFewestAcross = 24;
+constexpr double kMostAcross = 512;
 
 /// A few numbers; when there are many, some are forgotten.
 template <typename T>
@@ -89,8 +90,7 @@ LegalArea::LegalArea(Regions regions) : regions_(std::move(regions)) {
   // Long narrow areas have as many cells as square ones.
   const double longest = std::max({grid_.width(), grid_.height(), 1e-9});
   const double size = std::max(std::sqrt(grid_.width() * grid_.height()), longest / kMostSlender);
-  const double across = std::clamp(2 * std::sqrt(static_cast<double>(edges_.size())), 24.0, 512.0);
-  cell_ = size / across;
+  cell_ = size / cells_across();
   cells_per_mm_ = 1 / cell_;
   columns_ = column(grid_.max.x) + 1;
   rows_ = row(grid_.max.y) + 1;
@@ -112,14 +112,23 @@ void LegalArea::sort_edges() {
   begin_in_.build(columns_ * rows_);
 }
 
-/// The box of nearly all edges: with a distant frame included, all other edges would be in one cell.
+double LegalArea::cells_across() const {
+  return std::clamp(2 * std::sqrt(static_cast<double>(edges_.size())), kFewestAcross, kMostAcross);
+}
+
+/// The box covered by the cells: that of all edges but very long ones, if cells over the whole box would hold more than one of
+/// these edges each, as within a distant frame.
 Box LegalArea::densest_part() const {
   Box part;
+  double edges = 0;
   for (const Box& box : boxes_) {
-    if (box.width() < box_.width() / 2 && box.height() < box_.height() / 2) part.add(box);
+    if (box.width() >= box_.width() / 2 || box.height() >= box_.height() / 2) continue;
+    part.add(box);
+    ++edges;
   }
-  const bool much_smaller = part.width() * part.height() < kMuchSmaller * box_.width() * box_.height();
-  return !part.empty() && much_smaller ? part : box_;
+  if (part.empty()) return box_;
+  const double share = part.width() * part.height() / (box_.width() * box_.height());
+  return share * cells_across() * cells_across() < edges ? part : box_;
 }
 
 /// Neighbouring cells without edges are on the same side: one exact test for each connected group.

@@ -30,6 +30,7 @@ class LegalArea {
   static constexpr double kSlack = 5e-4;
 
  private:
+  double cells_across() const;
   Box densest_part() const;
   void sort_edges();
   void mark_empty_cells();

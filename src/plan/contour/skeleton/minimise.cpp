@@ -204,9 +204,11 @@ struct BandMinimiser::Impl {
 
   void add_hold(const Active& active) {
     Witness& witness = paths_.witnesses[active.witness];
-    if (surely_within(active.nearest, witness.p, limit_ - skin_)) return;
+    // Within the limit a witness exerts no force, but one kept in the middle moves on.
+    const double calm = witness.moving ? limit_ - skin_ : limit_;
+    if (surely_within(active.nearest, witness.p, calm)) return;
     const Hold hold = nearest_hold(active, witness.p);
-    if (hold.distance < limit_ - skin_) return;
+    if (hold.distance < calm) return;
     if (!witness.moving) return hold_band(hold, 1.0);
     const Hold other = opposite_hold(active, witness.p, hold);
     if (!std::isfinite(other.distance)) return hold_band(hold, 1.0);
