@@ -37,7 +37,7 @@ TEST(LeaningRest, WallsThatTwoCuttersMakeAreCleanWhereverTheirLayersLie) {
       {4, 0.1, 0, "endmill:8", "bullnose:3:corner=1", true, ""},
       {4, 0.35, 0, "endmill:8", "bullnose:3:corner=0.2", true, ""},
       {4, 0.35, 2, "endmill:4", "ball:4", false, "walls"},
-      {4, 0.35, 2, "endmill:4", "ball:4", false, "all"},
+      {3, 0.6, 0, "endmill:8", "ball:3", true, ""},
   };
   for (const TwoCutters& one : cases) {
     PlanOptions options = with({one.first, one.second});

@@ -79,34 +79,15 @@ bool is_free_above(const Part& part, const Feature& feature, const plan::RoundOn
   return stands.empty();
 }
 
-/// Number of steps on the feature of a step, and whether all of them that leave no more than it on the walls have its tool.
-struct StepsOnFeature {
-  int count = 0;
-  bool same_tool = true;
-};
-
-StepsOnFeature steps_on_feature(const Part& part, const Workingstep& step) {
-  StepsOnFeature steps;
-  for (const Workingstep& other : part.workplan) {
-    if (other.feature != step.feature) continue;
-    ++steps.count;
-    const bool comes_to_walls =
-        other.operation.allowance_side <= step.operation.allowance_side + kSamePlaceMm;
-    steps.same_tool = steps.same_tool && (!comes_to_walls || other.operation.tool == step.operation.tool);
-  }
-  return steps;
-}
-
 /// Whether a rounded end comes as near to the leaning walls of the step's feature as it may. Upright walls of what stands above it has to
-/// keep off by its whole radius. Beside the layers of another step its own layers stand at the heights of a cutter with a flat end, which
-/// that step expects; where these heights would leave too much, steps of one tool touch the walls alike.
+/// keep off by its whole radius. Beside the layers of another step it keeps the distance of a flat end, unless that leaves too much.
 bool touches_walls(const Part& part, const Workingstep& step, const plan::RoundOnWall& touch, bool meets_none,
                    const Tolerances& tol) {
-  const StepsOnFeature steps = steps_on_feature(part, step);
+  const auto steps = std::count_if(part.workplan.begin(), part.workplan.end(),
+                                   [&](const Workingstep& other) { return other.feature == step.feature; });
   const bool begins_at_top = feature_of(part, step).top_z >= part.top_z();
-  if (steps.count == 1 && begins_at_top && meets_none) return true;
-  return (steps.count == 1 || steps.same_tool) && has_to_touch(touch, step.operation) &&
-         is_free_above(part, feature_of(part, step), touch, tol);
+  if (steps == 1 && begins_at_top && meets_none) return true;
+  return has_to_touch(touch, step.operation) && is_free_above(part, feature_of(part, step), touch, tol);
 }
 
 /// mm by which the cutter of a step may be off its path or its size: by the machine's error that the plan has to hold for, or by the

@@ -266,6 +266,14 @@ double rounding_of(const Tool* tool) {
   return tool->kind == ToolKind::kBallEndMill ? tool->radius() : tool->corner_radius;
 }
 
+/// The cutter with the roundest end of those that come to the walls.
+const Tool* roundest_on_walls(const FeatureWork& work) {
+  const Tool* roundest = work.on_walls;
+  for (const LevelCoverage& layer : work.layers)
+    if (rounding_of(layer.tool) > rounding_of(roundest)) roundest = layer.tool;
+  return roundest;
+}
+
 /// mm over its tip at which a cutter comes nearest to a wall with draft: greater than 0 only for rounded ends.
 double nearest_height(const Tool* tool, double draft) {
   return rounding_of(tool) * (1 - base::sin(draft));
@@ -351,7 +359,7 @@ class WorkCheck {
     const auto scallop = scallop_of(feature, work, options_.tol);
     const bool leaves_more = scallop && scallop->height_mm > *scallop->asked_mm + options_.tol.uncut;
     if (!leaves_more || !work.on_walls) return;
-    const bool is_rounded = rounding_of(work.on_walls) > 0,
+    const bool is_rounded = rounding_of(roundest_on_walls(work)) > 0,
                is_flat = flat_end(*work.on_walls) >= work.on_walls->radius();
     // Rounded ends may also run nearer to the wall than a flat end could.
     if (!is_rounded && (!is_flat || !any_slopes(feature))) return;
@@ -498,13 +506,18 @@ void refine(FeatureWork& work, const Operation& operation, const Tool& tool) {
 
 }  // namespace
 
-std::optional<Scallop> scallop_of(const Feature& feature, const FeatureWork& work, const Tolerances& tol) {
+namespace {
+
+/// `any_of_them`: which of the cutters has made which part of the walls is not known, and the roundest end leaves the most.
+Scallop scallop_by(const Feature& feature, const FeatureWork& work, const Tolerances& tol, bool any_of_them) {
   const double draft = feature.wall_slope.radians();
-  if (draft <= 0) return std::nullopt;
   Scallop scallop{0, work.scallop.value_or(tol.scallop), feature.top_z};
+  const Tool* roundest = any_of_them ? roundest_on_walls(work) : nullptr;
   std::vector<LayerOnWall> layers;
-  for (const LevelCoverage& layer : work.layers)
-    layers.push_back({layer.z, layer.tool ? layer.tool : work.on_walls});
+  for (const LevelCoverage& layer : work.layers) {
+    const Tool* tool = layer.tool ? layer.tool : work.on_walls;
+    layers.push_back({layer.z, rounding_of(roundest) > rounding_of(tool) ? roundest : tool});
+  }
   layers.push_back({work.floor.z, work.on_walls});
   const double above_corner = work.floor.z + corner_height(feature, work.on_walls);
   double above = feature.top_z;
@@ -514,6 +527,14 @@ std::optional<Scallop> scallop_of(const Feature& feature, const FeatureWork& wor
     if (left > scallop.height_mm) scallop.height_mm = left, scallop.z = layers[i].z;
     above = layers[i].z;
   }
+  return scallop;
+}
+
+}  // namespace
+
+std::optional<Scallop> scallop_of(const Feature& feature, const FeatureWork& work, const Tolerances& tol) {
+  if (feature.wall_slope.radians() <= 0) return std::nullopt;
+  Scallop scallop = scallop_by(feature, work, tol, true);
   // The test place by place found no more than the permitted material.
   if (work.is_cut_between_layers) scallop.height_mm = std::min(scallop.height_mm, *scallop.asked_mm);
   return scallop;
@@ -571,9 +592,8 @@ void leave_out_uncleared_layers(const Feature& feature, FeatureWork& work, const
   std::erase_if(cleared.layers,
                 [&](const LevelCoverage& layer) { return layer.coverage.thickness_mm > widest_left(tol); });
   if (cleared.layers.size() == work.layers.size()) return;
-  const auto scallop = scallop_of(feature, cleared, tol);
-  if (scallop && scallop->height_mm <= *scallop->asked_mm + tol.uncut)
-    work.layers = std::move(cleared.layers);
+  const Scallop scallop = scallop_by(feature, cleared, tol, false);
+  if (scallop.height_mm <= *scallop.asked_mm + tol.uncut) work.layers = std::move(cleared.layers);
 }
 
 }  // namespace
