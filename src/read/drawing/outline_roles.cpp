@@ -369,9 +369,9 @@ bool is_drawn_twice(const Outline& a, const Outline& b, const Tolerances& tol) {
   return distance(one.min, other.min) <= tol.join_gap && distance(one.max, other.max) <= tol.join_gap;
 }
 
-/// Whether an option or rule names the outline itself, as cut: it is one of several outlines drawn alike.
-bool is_named(const Outline& outline, const std::vector<ShapedGroup>& groups) {
-  return outline.group != outline.drawn_in && groups[outline.group].group.role != LayerRole::kIgnore;
+/// Whether an option or rule names the outline itself: it is one of several outlines drawn alike.
+bool is_named(const Outline& outline) {
+  return outline.group != outline.drawn_in;
 }
 
 /// Whether an outline in this one is said to be an island: this one is then a pocket.
@@ -399,7 +399,7 @@ std::vector<std::size_t> unclear_outlines(const std::vector<ShapedGroup>& groups
     const DrawnGroup& group = groups[outlines[i].group].group;
     if (!outlines[i].about.empty() || outlines[i].crossing || group.role == LayerRole::kChamfer) continue;
     const bool is_said = group.says_role || holds_island(i, outlines, groups);
-    if (is_said && !is_named(outlines[i], groups)) continue;
+    if (is_said && !is_named(outlines[i])) continue;
     if (!is_said) {
       outermost.push_back(i);
       holding = holding || holds_others(outlines, i);

@@ -397,7 +397,8 @@ TEST(Dxf, OptionsForOthersAnswerNoQuestion) {
   EXPECT_THAT(refused(plates + " 0 CIRCLE 8 MARK 10 200 20 10 40 2", "ignore:MARK"),
               HasSubstr("the drawing has 2 outlines beside each other"));
   EXPECT_THAT(refused(plates, "profile_d3:2"), HasSubstr("30 x 20 mm (layer 0) stands beside others"));
-  for (const char* op : {"pocket:outer", "pocket:0", "profile:1,2", "ignore:1"})
+  EXPECT_THAT(refused(plates, "ignore:1"), HasSubstr("40 x 20 mm (layer 0) stands beside others"));
+  for (const char* op : {"pocket:outer", "pocket:0", "profile:1,2"})
     EXPECT_EQ(refused(plates, op), "not refused") << op;
   asks.layer_rules = {rule_of_option("profile:outer", "--op"), rule_of_option("pocket:0", "--op")};
   const Part part = read(dxf(holed), asks);
