@@ -765,6 +765,7 @@ class Track {
 
  protected:
   using Axes = std::array<std::optional<Int>, 3>;
+  static constexpr Int kNoTool = -1;
   [[noreturn]] void fail(const Text& what) const { reject(where() + ": " + what); }
   Text where() const { return file_ + ":" + text(line_); }
   bool known() const { return at_[0] && at_[1] && at_[2]; }
@@ -798,9 +799,11 @@ class Track {
     if (!at_home()) fail("a way to the machine's own places below its upper end");
     at_[0].reset(), at_[1].reset();
   }
-  void change(Int tool) {
-    if (tool == tool_) return;
+  /// Number 0 is no tool. `again`: the control may go through a change of the tool that is in, too.
+  void change(Int number, bool again = false) {
+    const Int tool = number == 0 ? kNoTool : number;
     if (at_[2] && *at_[2] < top_) fail("a tool change below the top of the part");
+    if (tool == tool_ && !again) return;
     home(), away();
     tool_ = tool;
   }
@@ -981,9 +984,12 @@ class IsoReader : Track {
       if (!up && !at_home()) fail("the tool's length changes away from the machine's upper end");
     }
     if (up) return go_home(in_steps_);
-    if (takes_g(490) || takes_g(430)) {
+    const bool cancels = takes_g(490), sets = takes_g(430);
+    if (cancels || sets) {
       if (!at_home()) fail("the tool's length changes away from the machine's upper end");
       if (has('H') && take('H').digits == 0) fail("H0, which is no tool's length");
+      lacks_length_ = cancels && has_length_;
+      has_length_ = has_length_ || sets;
     }
     offsets();
     if (takes_g(610) || (sinumerik_ && takes_g(600))) state();
@@ -1005,6 +1011,7 @@ class IsoReader : Track {
       if (!gs_.empty()) fail("more than one motion");
       if (motion_ == kCalled && code == 0) continue;  // the cycle follows the rapid to each place
       if (motion_ == kCalled) fail("a motion while a cycle is called");
+      goes_on_ = motion_ > 700;
       motion_ = code;
       begins_ = code > 700;
     }
@@ -1032,7 +1039,9 @@ class IsoReader : Track {
     by_word_ = by_word_ || (called && !by_change_);
     if (changes || (called && !by_change_)) tool = called_;
     if (tool && (has('X') || has('Y') || has('Z'))) fail("a tool change with a motion");
-    if (tool) change(*tool);
+    const Int before = tool_;
+    if (tool) change(*tool, changes);
+    if (tool_ != before) lacks_length_ = has_length_;
   }
   /// To the machine's upper end: G53 G0 Z0, G91 G28 Z0; then to a place of its own.
   void go_home(bool incremental) {
@@ -1067,12 +1076,15 @@ class IsoReader : Track {
     if (has_center) center = center + Point{axis('I').value_or(0), axis('J').value_or(0)};
     if (!x && !y && !z && !has_center) return;
     if (motion_ < 0 || !absolute_) fail(motion_ < 0 ? "axis words without a motion" : "motion before G90");
+    if (lacks_length_ && (z || !at_home()))
+      fail("a motion without the tool's length, which the program set before");
     if (arc_motion && !has_center) fail("an arc without I and J");
     if (motion_ > 700) return cycle(x, y, z);
     arc_motion ? arc({x, y, z}, center, motion_ == 20) : straight({x, y, z}, motion_ == 0);
   }
   void cycle(std::optional<Int> x, std::optional<Int> y, std::optional<Int> z) {
     if (begins_ && (!z || !has('R') || !at_[2])) fail("a cycle without Z and R");
+    if (begins_ && goes_on_ && start_ != *at_[2]) fail("a cycle begins within another, at another height");
     if (std::exchange(begins_, false)) start_ = *at_[2];
     if (motion_ == kCalled && (z || has('R'))) fail("a height between the calls of a cycle");
     if (z) bottom_ = *z;
@@ -1087,7 +1099,8 @@ class IsoReader : Track {
   std::optional<Int> called_, inserted_;
   Int motion_ = -1, offset_ = 0, start_ = 0, clear_ = 0, bottom_ = 0;
   bool absolute_ = false, in_steps_ = false, tape_ = false, sinumerik_ = false, begun_ = false,
-       to_start_ = true, says_where_to_ = false, begins_ = false, by_change_ = false, by_word_ = false;
+       to_start_ = true, says_where_to_ = false, begins_ = false, goes_on_ = false, by_change_ = false,
+       by_word_ = false, has_length_ = false, lacks_length_ = false;
 };
 
 /// Heidenhain Klartext: L, CC, C, CP and cycles of holes.

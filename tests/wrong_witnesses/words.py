@@ -14,6 +14,8 @@ import subprocess
 import sys
 import tempfile
 
+import wrong
+
 
 def put(before, words):
     """A line before the first one that `before` matches."""
@@ -34,7 +36,7 @@ def home_from_the_pocket(way):
 
 
 LEVEL = "X[0-9.]+\\n"  # a level feed in the pocket
-# Control, what the control does, change, why the checker refuses.
+# Control, what the control does, change, why the checker refuses; then numbers of tools that the witness states otherwise.
 WORDS = [
     ("linuxcnc", "ends after the dwell", put(LEVEL, "G4 P0.1 M2"), "a dwell with other words"),
     ("linuxcnc", "changes the tool after the dwell", put(LEVEL, "G4 P0.1 M6"), "a dwell with other words"),
@@ -59,12 +61,23 @@ WORDS = [
     ("heidenhain", "ends", put("[0-9]+ L X", "29 M30"), "follows the end of the program"),
     ("heidenhain", "has its tool along X", instead("TOOL CALL 2 Z", "TOOL CALL 2 X"), "its axis, Z"),
     ("heidenhain", "counts the depth from the cylinder's end", instead("^  Q206=\\+300", "  Q395=+1 ~\n  Q206=+300"), "a cycle with Q395=+1"),
+    ("linuxcnc", "empties the spindle", instead("^T1 M6", "T0 M6"), "is not cut by", {1: 0}),
+    ("linuxcnc", "goes through the change of the tool that is in, in the pocket", put(LEVEL, "T1 M6"), "below the top"),
+    ("linuxcnc", "is elsewhere after the change of the tool that is in", instead("^G0 Z10\n(?=X[0-9.]+ Y[0-9.]+\nZ1)", "G0 Z10\nT1 M6\nG1 X10 Y10\n"), "the first motions must be rapids"),
+    ("fanuc", "moves by the length of the tool before", instead("G43 H1 ", ""), "without the tool's length"),
+    ("linuxcnc", "takes the tool's length off", instead("^T1 M6\nG43$", "T1 M6\nG43\nG49"), "without the tool's length"),
+    ("fanuc", "returns to where the first cycle began", instead("^G98 (G81 .*)$(?=[\\s\\S]*^X30)", "G99 G81 X10. Y10. Z-6. R1. F300.\nG98 G81 X10. Y10. Z-6. R1."), "a cycle begins within another"),
     ("linuxcnc", "follows what stands before the word by no stated bound", lambda text: instead("^M5$", "M5\nG61")(instead("^G64.*\n", "")(text)), "accepted: the program says nothing of it"),
 ]
 
 
-def changed_witness(witness, program):
-    return witness[:4] + hashlib.sha256(program).digest() + witness[36:]
+def changed_witness(data, program, numbers):
+    """The witness about another program, with other numbers of tools."""
+    w = wrong.Witness(data)
+    w.hashes = hashlib.sha256(program).digest() + w.hashes[32:]
+    for tool in w.tools:
+        tool[0] = numbers.get(tool[0], tool[0])
+    return w.bytes()
 
 
 def main():
@@ -72,12 +85,12 @@ def main():
     faults = 0
     with tempfile.TemporaryDirectory() as scratch:
         program_path, witness_path = os.path.join(scratch, "p.nc"), os.path.join(scratch, "p.ccw")
-        for control, what, change, reason in WORDS:
+        for control, what, change, reason, *numbers in WORDS:
             with open(os.path.join(folder, control + ".nc"), newline="") as file:
                 right = file.read()
             program = change(right).encode("latin-1")
             with open(os.path.join(folder, control + ".ccw"), "rb") as file:
-                witness = changed_witness(file.read(), program)
+                witness = changed_witness(file.read(), program, numbers[0] if numbers else {})
             with open(program_path, "wb") as file:
                 file.write(program)
             with open(witness_path, "wb") as file:
