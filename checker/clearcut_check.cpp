@@ -810,6 +810,7 @@ class Track {
   /// A cycle: over the hole, down to `clear`, by feed to `bottom`, up to `out`.
   void drill(std::optional<Int> x, std::optional<Int> y, Int clear, Int bottom, Int out) {
     if (!at_[2] || *at_[2] < clear || out < clear) fail("a cycle that begins below its own clearance");
+    if (bottom > clear) fail("a cycle that ends above its own clearance");
     straight(Axes{x, y}, true);
     straight(Axes{std::nullopt, std::nullopt, clear}, true);
     straight(Axes{std::nullopt, std::nullopt, bottom}, false);
@@ -895,6 +896,7 @@ class IsoReader : Track {
         commas.size() >= most ||
         (commas.size() > 11 && call[commas[11] + 1] != ',' && call[commas[11] + 1] != ')'))
       fail("'" + line + "' is not claimed");
+    if (numbers[2] < 0) fail("a cycle with a clearance below its surface");
     motion_ = kCalled, to_start_ = true, begins_ = false;
     start_ = numbers[0], clear_ = numbers[1] + numbers[2], bottom_ = numbers[3];
     return true;
@@ -1148,6 +1150,8 @@ class KlartextReader : Track {
     } else if (first == "CYCL" && second == "CALL" && tokens_.size() == 2) {
       if (cycle_.empty()) fail("a cycle that is not defined");
       const Int surface = cycle_.at("Q203");
+      if (cycle_.at("Q201") > 0 || cycle_.at("Q200") < 0)
+        fail("a cycle whose bottom is above its surface, which turns it over on this control");
       drill({}, {}, surface + cycle_.at("Q200"), surface + cycle_.at("Q201"),
             surface + std::max(cycle_.at("Q200"), cycle_.at("Q204")));
     } else if (first == "L") {

@@ -67,6 +67,9 @@ WORDS = [
     ("fanuc", "moves by the length of the tool before", instead("G43 H1 ", ""), "without the tool's length"),
     ("linuxcnc", "takes the tool's length off", instead("^T1 M6\nG43$", "T1 M6\nG43\nG49"), "without the tool's length"),
     ("fanuc", "returns to where the first cycle began", instead("^G98 (G81 .*)$(?=[\\s\\S]*^X30)", "G99 G81 X10. Y10. Z-6. R1. F300.\nG98 G81 X10. Y10. Z-6. R1."), "a cycle begins within another"),
+    ("heidenhain", "drills at a rapid, turned over", instead("Q201=-6", "Q201=+1"), "turns it over"),
+    ("siemens", "begins above the surface", instead("CYCLE81\\(10,1,0,-6\\)", "CYCLE81(10,1,-0.5,-6)"), "below its surface"),
+    ("fanuc", "drills upwards, or not at all", instead("Z-6. R1. F300", "Z2. R1. F300"), "ends above"),
     ("linuxcnc", "follows what stands before the word by no stated bound", lambda text: instead("^M5$", "M5\nG61")(instead("^G64.*\n", "")(text)), "accepted: the program says nothing of it"),
 ]
 
