@@ -505,8 +505,7 @@ def explicit_slot(s, x, y):
     for i in range(levels):
         z = -depth * (i + 1) / levels
         ends = [(0, 0), (2 * half, 0)][::1 if i % 2 == 0 else -1]
-        speed = f.add(f"TOOLPATH_SPEED({f.real(0.008)})") if chance(r, 0.3) else "$"
-        legs.append(f.add(f"CUTTER_LOCATION_TRAJECTORY(.T.,.CONTACT.,{speed},$,$,$,{f.polyline(ends, z)},$,$)"))
+        legs.append(f.add(f"CUTTER_LOCATION_TRAJECTORY(.T.,.CONTACT.,$,$,$,$,{f.polyline(ends, z)},$,$)"))
         if chance(r, 0.3):
             legs.append(f.add("FEEDSTOP(.T.,.CONTACT.,$,$,$,0.5)"))
     paths = f.add(f"TOOLPATH_LIST(({','.join(legs)}))")

@@ -23,7 +23,7 @@ sys.dont_write_bytecode = True
 from campaign import Bench  # noqa: E402
 from part21 import Program  # noqa: E402
 
-WORDS = ["--quiet", "--accept", "out-of-reach", "--accept", "leaning-walls"]
+WORDS = ["--accept", "out-of-reach", "--accept", "leaning-walls"]
 OTHER = {".T.": ".F.", ".F.": ".T.", ".CW.": ".CCW.", ".CCW.": ".CW.", ".CLIMB.": ".CONVENTIONAL.", ".CONVENTIONAL.": ".CLIMB.",
          ".RIGHT.": ".LEFT.", ".TCP.": ".CCP."}
 
@@ -111,8 +111,8 @@ class StepNcBench(Bench):
         for file in files:
             file.unlink(missing_ok=True)
         verdict, said = self.run(["plan", str(base.with_suffix(".p21")), "-o", str(base.with_suffix(".ngc")), *WORDS, *more])
-        if count > 1 and "verdict: " in said:
-            verdict = re.findall(r"verdict: (\w+)", said)[-1]
+        # That of all set-ups comes last.
+        verdict = (re.findall(r"verdict: (\w+)", said) or [verdict])[-1]
         return verdict, self.programs(base, count)[1], said
 
     def file(self, seed, mutants):
@@ -123,7 +123,7 @@ class StepNcBench(Bench):
         line = {"seed": seed, "unit": program.file.unit.name, "kinds": [s.kinds for s in program.setups], "plan": verdict, "field": [],
                 "silent": [], "seen": 0, "again": ""}
         if verdict != "CLEAN":
-            line["said"] = [x[:300] for x in said.split("\n") if not x.startswith("note") and x not in ("CLEAN", "FAULTY", "CONDITIONAL")][:8]
+            line["said"] = [x.strip()[:300] for x in said.split("\n") if re.match(r"  [a-z -]+[a-z]: |  condition |clearcut: ", x)][:8]
         for s, ngc, text_of in zip(program.setups, self.programs(self.folder / base, count)[0], made):
             description = self.folder / f"{base}_{s.number}.made"
             description.write_text(s.description())
