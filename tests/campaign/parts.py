@@ -467,7 +467,8 @@ def leaning_part(r):
                    "outer": [[x + u, y + v, *(bulge or [0])] for u, v, *bulge in box_corners(w, h, radius)]}
         fillet = 0
         # Walls that lean far would meet before the floor.
-        if depth * math.tan(lean) < 2 and r.random() < 0.3:
+        is_wide = min(w, h) / 2 - 3 - 2 * depth * math.tan(lean) > widest    # between an island and the walls
+        if depth * math.tan(lean) < 2 and r.random() < 0.3 and is_wide:
             outline["islands"] = [[[x + 3, y, 1], [x - 3, y, 1]]]
             islands = [disc(x, y, 3)]
         if rounding and rounding < depth and r.random() < 0.5:

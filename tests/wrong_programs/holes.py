@@ -19,6 +19,7 @@ def drawing(depth, *circles):
 
 PARTS = {
     "tapped.dxf": drawing(12, ("TAP_M6_D7", 6)),
+    "tapped_through.dxf": drawing(12, ("TAP_M6_THRU", 6)),
     "threaded.dxf": drawing(20, ("THREAD_M20x1.5_D8", 20)),
     "places.dxf": drawing(12, ("DRILL_D6", 5, 10), ("DRILL_D6", 5, 20), ("DRILL_D6", 5, 30)),
     "sunk.dxf": drawing(12, ("DRILL_THRU", 4.5), ("CSK_DIA9", 9)),
@@ -125,9 +126,9 @@ def holes():
     c.add("tap-shallow", CYCLES, tap(z=-8.5), "FAULTY", "uncut", "ends the thread a millimetre early", **tapped)
     c.add("tap-missing", CYCLES, tap(word=""), "FAULTY", "nothing-cut", "leaves the thread out", **tapped)
     c.add("hole-shallow", CYCLES, tap(drill=-10.5), "FAULTY", "uncut", "drills a millimetre less than the tap needs", **tapped)
-    c.add("tap-wide", CYCLES, tap(), "FAULTY", "thread", "drills at the diameter of the thread: nothing is left of it",
-          part="tapped.dxf", tools=["drill:6:T1", "tap:M6:floating:T2", "drill:5:T3"])
-    c.right("right-tap-wide", CYCLES, tap(), "drills at the greatest core diameter", part="tapped.dxf",
+    c.add("tap-wide", CYCLES, tap(drill=-14.8, z=-13), "FAULTY", "thread", "drills at the diameter of the thread: nothing is left of it",
+          part="tapped_through.dxf", tools=["drill:6:T1", "tap:M6:floating:T2", "drill:5:T3"])
+    c.right("right-tap-wide", CYCLES, tap(drill=-11.548), "drills as wide as the tolerance of the core allows", part="tapped.dxf",
             tools=["drill:5.15:T1", "tap:M6:floating:T2", "drill:5:T3"])
     milled = {"part": "threaded.dxf", "tools": ["drill:18.5:T1", "threadmill:12:T2"]}
     c.right("right-thread", CYCLES, thread(), "mills the thread on its helix", **milled)
