@@ -345,7 +345,7 @@ def carving(part, mills, r, x, y):
 
 def t_slot(part, mills, r, x, y):
     part.cutter("tslot:14:length=4:shank=6", "tslot", "disc", 14, height=4, neck=6)
-    part.endmill(8, length=14)
+    part.endmill(8, length=20)
     at_side = y < CELL
     first = (x, -0.01 if at_side else y - 12)
     part.polyline("TSLOT_D9", [first, (x, y + 4)], closed=False)

@@ -34,6 +34,7 @@ void ThreadRays::cut(const MadeCutter& mill, const BodyWay& way) {
 /// The tooth of each row, where it reaches farthest past the crest of the thread: on the ray through the mill's axis.
 void ThreadRays::touch(const MadeCutter& mill, double x, double y, double z) {
   const double apart = std::hypot(x, y), radius = mill.body.diameter / 2, turns = std::atan2(y, x) / kTurn;
+  if (apart - radius > std::max(thread_.crest, thread_.root)) return;
   const double reached = thread_.is_inner() ? apart + radius : apart - radius;
   const int rows = mill.length > 0 ? static_cast<int>(mill.length / mill.pitch + 0.001) : 1;
   const auto ray = static_cast<std::size_t>(std::lround((turns + 1) * kRays)) % kRays;
