@@ -248,7 +248,8 @@ def polygon(*corners):
 def ngon(s, x, y, radius, turn):
     """By the circle through its corners or the one that its sides touch; a side lies parallel to X at negative Y."""
     f, r = s.file, s.file.r
-    n, flats = r.choice([3, 5, 6, 8]), chance(r, 0.5)
+    # No mill fits a small triangle.
+    n, flats = r.choice([3 if radius > 8 else 5, 5, 6, 8]), chance(r, 0.5)
     outer = radius / math.cos(math.pi / n) if flats else radius
     corners = [(x + outer * math.cos(a), y + outer * math.sin(a))
                for a in (turn - math.pi / 2 + (2 * i + 1) * math.pi / n for i in range(n))]

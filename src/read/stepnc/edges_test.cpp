@@ -152,6 +152,21 @@ TEST(StepNcVees, AreCutByAConeOfTheirAngle) {
               HasSubstr("do not lean alike"));
 }
 
+TEST(StepNcCountersinks, WhoseTaperIsNotThatOfTheirToolAreNotFollowed) {
+  const auto sunk = [](const std::string& narrow) {
+    Program p;
+    p.with(30, "COUNTER_SINKING($,$,'SINK',$,$,#31,#34,#35,$,$,$,$,$,$)");
+    p.with(32, "COUNTERSINK(#33,1,.RIGHT.,$,$,$)")
+        .with(33, "MILLING_TOOL_DIMENSION(20.,1.5707963,$,$,$,$,$)");
+    p.feature("ROUND_HOLE('SINK',#3,(#30),#28,#23,#62,#70,#71)").with(71, "THROUGH_BOTTOM_CONDITION()");
+    p.with(70, "DIAMETER_TAPER(#72)").with(72, "TOLERANCED_LENGTH_MEASURE(" + narrow + ",$)");
+    p.with(25, "CARTESIAN_POINT('',(0.,0.,-2.))");
+    return all_diagnostics(p.with(62, "TOLERANCED_LENGTH_MEASURE(16.,$)").read());
+  };
+  EXPECT_EQ(sunk("12.").find("leans by"), std::string::npos) << sunk("12.");
+  EXPECT_THAT(sunk("14."), HasSubstr("the taper of SINK leans by 26.565 degrees"));
+}
+
 TEST(StepNcVees, LeanAlikeWhereNoTiltIsStatedInDegreesToo) {
   Program p = slot("VEE_PROFILE($,$,60.,$)", "RADIUSED_SLOT_END_TYPE()", "COUNTERSINK(#33,1,.RIGHT.,$,$,$)",
                    "MILLING_TOOL_DIMENSION(12.,60.,$,20.,$,$,$)");

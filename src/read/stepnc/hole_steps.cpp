@@ -161,6 +161,10 @@ int Reader::spot_for(const Draft& draft, const Feature& hole, const StatedOperat
   return add_hole(like, draft, like.name + " centre", tool.diameter, like.top_z - depth);
 }
 
+/// Radians. Flanks that lean alike.
+constexpr double kSameFlank = 2e-3;
+
+/// By the flanks of its tool; a taper that leans otherwise is not made as stated.
 int Reader::countersink_for(const Draft& draft, const Feature& hole, const StatedOperation& stated,
                             const Node& node) {
   const Tool& tool = part_.tools[static_cast<std::size_t>(stated.operation.tool)];
@@ -173,6 +177,13 @@ int Reader::countersink_for(const Draft& draft, const Feature& hole, const State
   if (width > tool.diameter + context_.tol.fit)
     node.fail("the countersink is " + trimmed(width, 3) + " mm wide and its tool " +
               trimmed(tool.diameter, 3) + " mm; give a wider one");
+  const Radians flank = Radians::of(base::atan(flank_slope(tool)));
+  if (!draft.hole_diameter && std::abs(draft.wall_slope.radians() - flank.radians()) > kSameFlank)
+    context_.diagnostics.doubt(context_.file.place(node.line()), kNotFollowed,
+                               "not followed: the taper of " + hole.name + " leans by " +
+                                   trimmed(draft.wall_slope.degrees(), 3) + " degrees, and the flank of " +
+                                   node.label() + "'s tool by " + trimmed(flank.degrees(), 3) +
+                                   "; give a tool of that angle");
   const Feature like = hole;
   const int index = add_hole(like, draft, like.name + " countersink", width, like.floor_z);
   HoleForm form;
