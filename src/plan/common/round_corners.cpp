@@ -115,18 +115,12 @@ class Rounder {
     const double turn = base::atan2(std::abs(cross(in, out)), dot(in, out));
     if (turn < kLeastRounded || turn > kMostRounded) return std::nullopt;
     const double tangent = base::tan(turn / 2);
-    const double widest = std::min(room / tangent, kWidest * job_.radius);
-    if (widest < kTightest * job_.radius || clears_alone(before, after, in, out)) return std::nullopt;
-    std::vector<RoundedCorner> tried;
-    for (double radius = widest; radius >= kTightest * job_.radius && saves_time(turn, radius);
-         radius *= kSmaller)
-      tried.push_back(with_arc(before.edge, after.edge, radius, radius * tangent));
-    // A tighter arc clears all that a wider one does on the outer side: where the tightest leaves something, all do.
-    if (tried.empty() || !leaves_nothing(before, after, tried.back())) return std::nullopt;
-    for (const RoundedCorner& corner : tried) {
-      const bool is_tightest = &corner == &tried.back();
-      if (is_legal_arc(corner.arc, *job_.legal) && (is_tightest || leaves_nothing(before, after, corner)))
-        return corner;
+    double radius = std::min(room / tangent, kWidest * job_.radius);
+    if (radius < kTightest * job_.radius || clears_alone(before, after, in, out)) return std::nullopt;
+    for (; radius >= kTightest * job_.radius; radius *= kSmaller) {
+      if (!saves_time(turn, radius)) return std::nullopt;
+      const RoundedCorner corner = with_arc(before.edge, after.edge, radius, radius * tangent);
+      if (is_legal_arc(corner.arc, *job_.legal) && leaves_nothing(before, after, corner)) return corner;
     }
     return std::nullopt;
   }
