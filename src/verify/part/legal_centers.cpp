@@ -194,6 +194,7 @@ TrimmedCurve LegalCenters::legal_parts(const Edge& curve, int wall, double allow
 void LegalCenters::cut_by_wall(TrimmedCurve& left, const Wall& wall, double upright) const {
   const double farthest = upright + farther_from(wall);
   if (!wall.stands_at(z_) || distance(wall.edge, left.middle()) >= farthest + left.half()) return;
+  if (left.stays_beyond(wall.edge, farthest)) return;
   left.add_cuts(wall.edge, upright);
   if (farthest > upright) left.add_cuts(wall.edge, farthest);
   for (const Edge& end : wall.flat_ends(z_)) left.add_cuts(end, upright);

@@ -12,8 +12,19 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
+/// mm. Far above the rounding of distances.
+constexpr double kDistanceRounding = 1e-9;
+
 double length_of(Vec2 a) {
   return std::sqrt(norm_squared(a));
+}
+
+/// mm^2; from p to the straight line from a to b.
+double squared_distance(Vec2 a, Vec2 b, Vec2 p) {
+  const Vec2 along = b - a, off = p - a;
+  const double whole = norm_squared(along);
+  const double t = whole > 0 ? std::clamp(dot(off, along) / whole, 0.0, 1.0) : 0;
+  return norm_squared(off - along * t);
 }
 
 /// Curves that together contain the outline of all points within d of an edge.
@@ -54,6 +65,7 @@ TrimmedCurve::TrimmedCurve(const Edge& curve) : curve_(curve) {
     sweep_ = curve.sweep();
     radius_ = curve.radius();
     length_ = std::abs(sweep_) * radius_;
+    sagitta_ = length_ * std::abs(sweep_) / 8;
   } else {
     length_ = length_of(curve.to - curve.from);
   }
@@ -70,6 +82,17 @@ void TrimmedCurve::find_middle() {
   const double from = parts_.front().first, to = parts_.back().second;
   middle_ = at((from + to) / 2);
   half_ = length_ * (to - from) / 2;
+}
+
+/// Two straight lines that do not cross are nearest at an end of one of them. A chord that crosses the wall begins nearer to it than its
+/// own length.
+bool TrimmedCurve::stays_beyond(const Edge& wall, double d) const {
+  if (wall.is_arc() || length_ >= d || std::abs(sweep_) > kPi / 2) return false;
+  const double least = d + sagitta_ + kDistanceRounding, square = least * least;
+  const Vec2 a = curve_.from, b = curve_.to;
+  return squared_distance(wall.from, wall.to, a) > square &&
+         squared_distance(wall.from, wall.to, b) > square && squared_distance(a, b, wall.from) > square &&
+         squared_distance(a, b, wall.to) > square;
 }
 
 void TrimmedCurve::add_cuts(const Edge& wall, double d) {

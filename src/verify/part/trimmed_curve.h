@@ -27,6 +27,9 @@ class TrimmedCurve {
   Vec2 middle() const { return middle_; }
   double half() const { return half_; }
 
+  /// Whether the whole curve is surely farther than d from a wall: for short curves beside straight walls. May return false although it
+  /// is.
+  bool stays_beyond(const Edge& wall, double d) const;
   /// Adds the parameters at which legality may change: all at which the curve is at distance d from `wall`, and
   /// perhaps others.
   void add_cuts(const Edge& wall, double d);
@@ -47,6 +50,7 @@ class TrimmedCurve {
   std::vector<double> cuts_;
   Vec2 middle_;
   double half_ = 0;
+  double sagitta_ = 0;  ///< mm; no point of the curve is farther than this from its chord
 };
 
 template <typename IsLegal>
