@@ -171,7 +171,8 @@ class LoadMeter {
 
   void measure_overcut(CheckedMove& checked) const {
     if (!checked.tool) return;
-    if (const auto overcut = overcut_of(checked, takes_, material_)) checked.load.overcut = *overcut;
+    const double bottom = part_.stock ? part_.stock->z_bottom : -HUGE_VAL;
+    if (const auto overcut = overcut_of(checked, takes_, material_, bottom)) checked.load.overcut = *overcut;
   }
 
   bool goes_smoothly_on(const Move& move) const {

@@ -124,17 +124,29 @@ constexpr TakesRow kRows[] = {{ToolKind::kDrill, drill_row},
                               {ToolKind::kSpotDrill, spot_drill_row},
                               {ToolKind::kVBit, vbit_row}};
 
+/// Material above the underside of the block; the model of the material has none.
+struct Block {
+  const stock::Material& material;
+  double bottom;
+};
+
+/// The part of a cutter above the underside of the block, where its tip is at z.
+CutterProfile above_underside(CutterProfile profile, double z, double bottom) {
+  profile.flat = std::min(profile.widest, profile.flat + profile.slope * std::max(0.0, bottom - z));
+  return profile;
+}
+
 /// Material within `radius` mm of the path, above the passing tip by `lead` mm for each mm from the axis; nothing for
 /// radii indistinguishable from 0.
-std::optional<Place> within(const stock::Material& material, const Move& move, double radius,
-                            double lead = 0) {
+std::optional<Place> within(const Block& block, const Move& move, double radius, double lead = 0) {
   if (radius <= kTakenSliver) return std::nullopt;
   const double inner = radius - kTakenSliver;
   const CutterProfile pointed = CutterProfile{0, 0, lead > 0 ? 1 / lead : 0, radius}.narrowed(kTakenSliver);
-  const auto met = [&](const Edge& path, double z) {
+  const auto met = [&](const Edge& path, double tip) {
+    const double z = std::max(tip, block.bottom) + kTakenSliver;
     return lead > 0
-               ? material.in_reach(path, pointed, z + kTakenSliver, kLeftByDesign)
-               : material.in_reach(path, inner, z + kTakenSliver, stock::Material::kCylinder, kLeftByDesign);
+               ? block.material.in_reach(path, above_underside(pointed, tip, block.bottom), z, kLeftByDesign)
+               : block.material.in_reach(path, inner, z, stock::Material::kCylinder, kLeftByDesign);
   };
   if (move.is_vertical() || move.z_from == move.z_to) {
     const double z = std::min(move.z_from, move.z_to);
@@ -161,26 +173,27 @@ ToolTakes takes_of(const Tool& tool, const Part& part) {
 }
 
 std::optional<Overcut> overcut_of(const CheckedMove& checked, const ToolTakes& takes,
-                                  const stock::Material& material) {
+                                  const stock::Material& material, double bottom) {
+  const Block block{material, bottom};
   const Move& move = *checked.move;
   const double radius = checked.radius(), low = checked.low_z();
   if (low >= material.z_top() - kTakenSliver || radius <= kTakenSliver) return std::nullopt;
   if (!checked.feeds()) {
     if (!takes.feeds_out || !move.is_vertical()) return std::nullopt;
-    const auto wall = within(material, move, radius + kHoleWall);
+    const auto wall = within(block, move, radius + kHoleWall);
     return wall ? std::optional(Overcut{*wall, kHoleWall, false}) : std::nullopt;
   }
   // Tools without lateral cutting move only along their axis.
   const bool is_along_axis = move.is_vertical() || move.path.length() <= kTakenSliver;
   const bool down = checked.slope() >= kDownward && (takes.sideways > 0 || is_along_axis);
   if (takes.idle_tip > 0 && checked.slope() >= takes.idle_from) {
-    const auto met = within(material, move, takes.idle_tip);
+    const auto met = within(block, move, takes.idle_tip);
     return met ? std::optional(Overcut{*met, takes.idle_tip, false}) : std::nullopt;
   }
   if (move.is_vertical() && !down) return std::nullopt;
   const double ring = down ? takes.down : takes.sideways;
   if (ring >= radius) return std::nullopt;
-  const auto met = within(material, move, radius - ring, down ? takes.lead : 0);
+  const auto met = within(block, move, radius - ring, down ? takes.lead : 0);
   return met ? std::optional(Overcut{*met, radius - ring, !down}) : std::nullopt;
 }
 

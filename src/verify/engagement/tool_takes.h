@@ -36,11 +36,11 @@ struct ToolTakes {
 ToolTakes takes_of(const Tool& tool, const Part& part);
 
 /// Material (in its state before the move) taken by a feed move beyond its tool's ability; also a retract from a hole
-/// not at feed.
+/// not at feed. `bottom`: the underside of the block, below which nothing stands.
 ///
 /// Error   as of stock::Material; rings are measured to kTakenSliver.
 std::optional<Overcut> overcut_of(const CheckedMove& checked, const ToolTakes& takes,
-                                  const stock::Material& material);
+                                  const stock::Material& material, double bottom);
 
 /// One sentence describing the fault, without its place.
 std::string overcut_text(const CheckedMove& checked, const Part& part);

@@ -1,6 +1,8 @@
 // What reamers, boring bars and taps may go down into.
 #include <gtest/gtest.h>
 
+#include <optional>
+
 #include "verify/test_findings.h"
 #include "verify/verify.h"
 
@@ -10,9 +12,11 @@ namespace {
 using namespace clearcut::testing;
 
 /// A tool of 10 mm, fed to `z` in the middle of a square, where before a drill of that diameter went down with its point to
-/// `drilled`; no drill for 0.
-Findings fed_down(ToolKind kind, double z, double diameter, double drilled) {
+/// `drilled`; no drill for 0. The block ends at `bottom`, if that is stated.
+Findings fed_down(ToolKind kind, double z, double diameter, double drilled,
+                  std::optional<double> bottom = std::nullopt) {
   Part part = square_part();
+  if (bottom) part.stock = Stock{{{0, 0}, {50, 50}}, *bottom, 0};
   part.tools[0] = Tool{1, "T1", kind, 10, 0, 2, {}, true};
   part.tools[0].pitch = 1.5;
   part.tools.push_back(Tool{2, "T2", ToolKind::kDrill, diameter, 0, 2, {}, true});
@@ -32,6 +36,17 @@ TEST(ToolTakes, NothingSolidUnderTheTipHoweverShallow) {
     EXPECT_TRUE(has(fed_down(kind, -8, 7, -9), FaultKind::kMoreThanItCuts)) << name_of(kind);
     // As deep as the drill: its point leaves a cone in the corner of the hole.
     EXPECT_FALSE(has(fed_down(kind, -8, 9.6, -8), FaultKind::kMoreThanItCuts)) << name_of(kind);
+  }
+}
+
+TEST(ToolTakes, NothingStandsBelowTheBlock) {
+  for (const ToolKind kind : {ToolKind::kReamer, ToolKind::kBoringBar, ToolKind::kTap}) {
+    // The drill's whole width has left the block by 0.1 mm.
+    EXPECT_FALSE(has(fed_down(kind, -12, 9.6, -8, -5), FaultKind::kMoreThanItCuts)) << name_of(kind);
+    EXPECT_TRUE(has(fed_down(kind, -12, 9.6, -8), FaultKind::kMoreThanItCuts)) << name_of(kind);
+    // Its point alone has: a cone of the wall's foot stands in the block.
+    EXPECT_TRUE(has(fed_down(kind, -12, 9.6, -6, -5), FaultKind::kMoreThanItCuts)) << name_of(kind);
+    EXPECT_TRUE(has(fed_down(kind, -12, 9.6, -4.5, -5), FaultKind::kMoreThanItCuts)) << name_of(kind);
   }
 }
 

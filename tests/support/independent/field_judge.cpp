@@ -173,7 +173,7 @@ FieldJudge::Place FieldJudge::place_at(double x, double y) const {
 }
 
 FieldJudge::Run FieldJudge::untouched() const {
-  Run run{ProfileField(part_.x0, part_.y0, part_.x1, part_.y1, cell_), {}, part_.visits, {}};
+  Run run{ProfileField(part_.x0, part_.y0, part_.x1, part_.y1, cell_, part_.bottom), {}, part_.visits, {}};
   for (const MadeThread& thread : part_.threads) run.threads.emplace_back(thread);
   return run;
 }

@@ -51,9 +51,10 @@ double TurnedBody::surface(double distance, double steep) const {
   return 0;
 }
 
-ProfileField::ProfileField(double x0, double y0, double x1, double y1, double cell)
+ProfileField::ProfileField(double x0, double y0, double x1, double y1, double cell, double bottom)
     : x0_(x0),
       y0_(y0),
+      bottom_(bottom),
       cell_(cell),
       half_(cell * std::sqrt(0.5)),
       columns_(static_cast<int>(std::lround((x1 - x0) / cell))),
@@ -130,6 +131,7 @@ void ProfileField::cut(const TurnedBody& body, const BodyWay& way) {
 }
 
 double ProfileField::standing(std::size_t cell, double low, double high) const {
+  low = std::max(low, bottom_);
   high = std::min(high, cells_[cell].certain);
   double sum = high - low;
   const auto gaps = perhaps_undercut_.find(cell);
@@ -155,7 +157,8 @@ ProfileField::Hit ProfileField::hit(const TurnedBody& body, const BodyWay& way) 
       const double top = apart + half_ <= body.neck / 2 ? kEndless : z + body.height;
       hit.certain = std::max(hit.certain, standing(i, z, top));
     }
-    hit.possible = std::max(hit.possible, cell.possible - (z - dz + body.surface(least, steep)));
+    const double lowest = std::max(bottom_, z - dz + body.surface(least, steep));
+    hit.possible = std::max(hit.possible, cell.possible - lowest);
   });
   return hit;
 }

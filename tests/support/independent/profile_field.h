@@ -2,6 +2,7 @@
 // product, and says of everything both what is certain and what is possible within its cells.
 #pragma once
 
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -31,8 +32,9 @@ struct BodyWay {
 
 class ProfileField {
  public:
-  /// A block from (x0, y0) to (x1, y1) with its top at 0.
-  ProfileField(double x0, double y0, double x1, double y1, double cell);
+  /// A block from (x0, y0) to (x1, y1) with its top at 0 and nothing below `bottom`.
+  ProfileField(double x0, double y0, double x1, double y1, double cell,
+               double bottom = -std::numeric_limits<double>::infinity());
 
   void cut(const TurnedBody& body, const BodyWay& way);
 
@@ -68,7 +70,7 @@ class ProfileField {
   std::size_t index_of(double x, double y) const;
   double standing(std::size_t cell, double low, double high) const;
 
-  double x0_, y0_, cell_, half_;  ///< half_: of a cell's diagonal
+  double x0_, y0_, bottom_, cell_, half_;  ///< half_: of a cell's diagonal
   int columns_, rows_;
   std::vector<Cell> cells_;
   std::map<std::size_t, std::vector<Gap>> perhaps_undercut_, undercut_;  ///< by cell; gaps lie apart
