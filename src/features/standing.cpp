@@ -121,6 +121,7 @@ Standing::Standing(const Part& part, int workingstep, const Tolerances& tol, con
       stock_(part.workplan[static_cast<std::size_t>(workingstep)].operation.allowance_side),
       tol_(tol),
       start_(feature_.top_z) {
+  if (part.stock) block_ = part.stock->plan;
   std::vector<StockLeft> stock(part.features.size());
   const Box here = box(feature_.target);
   for (int i = 0; i < workingstep; ++i) {
@@ -154,9 +155,17 @@ Standing::Standing(const Part& part, int workingstep, const Tolerances& tol, con
 double Standing::top() const {
   if (uncertain_) return std::max(top_over(wanted(feature_.target), by_work_, start_, tol_), feature_.top_z);
   if (!stock_left_) return feature_.top_z;
-  const double left = top_over(wanted(feature_.target), by_work_, start_, tol_);
-  const double designed = top_over(feature_.target, by_design_, start_, tol_);
+  const Regions target = in_block();
+  const double left = top_over(wanted(target), by_work_, start_, tol_);
+  const double designed = top_over(target, by_design_, start_, tol_);
   return left > designed ? std::max(left, feature_.top_z) : feature_.top_z;
+}
+
+Regions Standing::in_block() const {
+  const Box target = box(feature_.target);
+  if (!block_ || (block_->contains(target.min) && block_->contains(target.max))) return feature_.target;
+  Regions inside = intersect(feature_.target, {rectangular_region(*block_)}, tol_);
+  return inside.empty() ? feature_.target : inside;
 }
 
 Regions Standing::above(double z) const {

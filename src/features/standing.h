@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "base/tolerances.h"
@@ -67,12 +68,15 @@ class Standing {
   Regions above(double z) const;
 
  private:
+  /// The target over the block: beside it nothing has stood, whatever earlier features have not cleared there.
+  Regions in_block() const;
   /// The part of `regions` outside of the stock to leave of the step itself on walls.
   Regions wanted(const Regions& regions) const;
 
   const Feature& feature_;
   double stock_;  ///< mm; stock to leave on walls of the step
   Tolerances tol_;
+  std::optional<Box> block_;  ///< outline of the block, if it is known
   /// Areas that earlier features would clear without stock left on walls and floors, deepest first.
   std::vector<Cleared> by_design_;
   std::vector<Cleared> by_work_;  ///< areas cleared by the steps so far, deepest first

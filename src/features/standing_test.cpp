@@ -94,6 +94,18 @@ TEST(Standing, StockOnAFloorStandsUntilTheFloorIsFinished) {
   EXPECT_EQ(Standing(part, 3, {}).top(), -5);
 }
 
+/// A feature that runs out over the edge of the block is cut from the stock that is left on the floor above it.
+TEST(Standing, StockOnAFloorStandsOverWhatRunsOutOfTheBlock) {
+  Part part = pocket_at_the_wall_of_another(0, 0);
+  part.workplan[0].operation.allowance_floor = 0.2;
+  const Box above = box(part.features[0].target);
+  part.stock = Stock{above, -20, 0};
+  Feature& below = part.features[1];
+  const Box there = box(below.target);
+  below.target = {rectangle(above.min.x - 0.06, there.min.y, there.max.x, there.max.y)};
+  EXPECT_NEAR(Standing(part, 1, {}).top(), -4.8, 1e-9);
+}
+
 TEST(Standing, ADrillClearsNoPocket) {
   Part part = pocket_at_the_wall_of_another(0, 0);
   part.workplan[0].operation.tool = 1;
