@@ -30,6 +30,7 @@ const picture = name => `${folder}/pictures/${name}.png`;
 /** @type {(page: Page) => Promise<void>} */
 async function plans(page) {
   await page.setInputFiles('#plan-files', `${folder}/square.json`);
+  await page.waitForSelector('#plan-list li');
   await saysOptions(page, '--accept out-of-reach');
   check((await textOf(page, '#plan-command')).startsWith('clearcut plan square.json --tool endmill:6'), 'the command line is shown');
   const inMm = await textOf(page, '#plan-command');
@@ -322,6 +323,7 @@ async function activates(page) {
   await page.click('[aria-label="Remove element 2"]');
   check(!(await textOf(page, '#elements-command')).includes('--hole'), 'an element is removed');
   await page.setInputFiles('#elements-files', `${folder}/five_pockets.toml`);
+  await page.waitForSelector('#elements-editor', {state: 'hidden'});
   check(await page.isHidden('#elements-editor') &&
       (await textOf(page, '#elements-command')).startsWith('clearcut elements five_pockets.toml --solver'),
     'a job stands in their place');
@@ -378,9 +380,9 @@ async function solves(page) {
       JSON.parse(readFileSync(`${folder}/lattice-tour.json`, 'utf8')).tour.length === 100,
     'the tour is downloaded');
   const points = Array.from(
-    {length: 500}, (_, i) => `${i + 1} ${500 + 10 * Math.sqrt(i) * Math.cos(2.4 * i)} ${500 + 10 * Math.sqrt(i) * Math.sin(2.4 * i)}`);
+    {length: 2000}, (_, i) => `${i + 1} ${500 + 10 * Math.sqrt(i) * Math.cos(2.4 * i)} ${500 + 10 * Math.sqrt(i) * Math.sin(2.4 * i)}`);
   writeFileSync(`${folder}/spiral.tsp`,
-    `NAME : spiral\nTYPE : TSP\nDIMENSION : 500\nEDGE_WEIGHT_TYPE : EUC_2D\nNODE_COORD_SECTION\n${points.join('\n')}\nEOF\n`);
+    `NAME : spiral\nTYPE : TSP\nDIMENSION : 2000\nEDGE_WEIGHT_TYPE : EUC_2D\nNODE_COORD_SECTION\n${points.join('\n')}\nEOF\n`);
   await page.setInputFiles('#tour-files', `${folder}/spiral.tsp`);
   check(await page.isDisabled('#tour-lattice') && (await textOf(page, '#tour-command')).startsWith('clearcut tour spiral.tsp'),
     'a file goes before a lattice');

@@ -234,9 +234,9 @@ async function solves(page) {
   check(/bound.*lattice steps/.test(await textOf(page, '#tour-figures')), 'the bound of a tour is said');
   await isAccessible(page, 'the page with a tour');
   const points = Array.from(
-    {length: 500}, (_, i) => `${i + 1} ${500 + 10 * Math.sqrt(i) * Math.cos(2.4 * i)} ${500 + 10 * Math.sqrt(i) * Math.sin(2.4 * i)}`);
+    {length: 2000}, (_, i) => `${i + 1} ${500 + 10 * Math.sqrt(i) * Math.cos(2.4 * i)} ${500 + 10 * Math.sqrt(i) * Math.sin(2.4 * i)}`);
   writeFileSync(`${folder}/spiral.tsp`,
-    `NAME : spiral\nTYPE : TSP\nDIMENSION : 500\nEDGE_WEIGHT_TYPE : EUC_2D\nNODE_COORD_SECTION\n${points.join('\n')}\nEOF\n`);
+    `NAME : spiral\nTYPE : TSP\nDIMENSION : 2000\nEDGE_WEIGHT_TYPE : EUC_2D\nNODE_COORD_SECTION\n${points.join('\n')}\nEOF\n`);
   await page.setInputFiles('#tour-files', `${folder}/spiral.tsp`);
   await page.selectOption('#tour-solver', 'published');
   await page.fill('#tour-time', '300');

@@ -16,6 +16,8 @@ const toldByText = [
 const mostRead = 65536;  // bytes of a file
 /** @type {(name: string) => string} */
 const kindOf = name => name.slice(name.lastIndexOf('.') + 1).toLowerCase();
+/** @type {(name: string) => boolean} */
+const mayBeTold = name => toldByText.some(row => row.kinds.includes(kindOf(name)));
 
 /** A list of files with their roles: 'part', 'program', 'tools', 'machine', 'job', 'points' or 'file'; of one role alone there is one file. */
 class ChosenFiles {
@@ -45,11 +47,12 @@ class ChosenFiles {
 
   /** @type {(files: Iterable<File>) => Promise<void>} */
   async add(files) {
-    const all = [...files], texts = await Promise.all(all.map(file => file.slice(0, mostRead).text()));
+    const all = [...files], isAsked = this.roles.length > 1 && all.some(file => mayBeTold(file.name));
+    const texts = isAsked ? await Promise.all(all.map(file => file.slice(0, mostRead).text())) : [];
     all.forEach((file, i) => {
       if (this.roles.length === 1) this.entries = [];
       this.entries = this.entries.filter(entry => entry.file.name !== file.name);
-      this.entries.push({file, role: this.likelyRole(file.name, texts[i])});
+      this.entries.push({file, role: this.likelyRole(file.name, texts[i] ?? '')});
     });
     // A job names its library and its machine itself; they are only beside it.
     if (kindOf(this.of('part')?.name ?? '') === 'toml') {
