@@ -149,32 +149,43 @@ def both(verdict, wrongs):
     return "HOLE: wrong by the field alone" if wrongs else "right by both"
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+def asked_of(doc, kind, number, mutants):
+    """What a campaign of `number` parts or files, which are its `kind`, is asked by default; its folder is made."""
+    parser = argparse.ArgumentParser(description=doc, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("clearcut")
     parser.add_argument("judge")
     parser.add_argument("folder", type=pathlib.Path)
-    parser.add_argument("--first", type=int, default=1, help="seed of the first part")
-    parser.add_argument("--parts", type=int, default=2000)
-    parser.add_argument("--mutants", type=int, default=3, help="of each part")
-    parser.add_argument("--seconds", type=float, default=float("inf"), help="no new part after this time")
+    parser.add_argument("--first", type=int, default=1, help=f"seed of the first of the {kind}")
+    parser.add_argument(f"--{kind}", dest="number", type=int, default=number)
+    parser.add_argument("--mutants", type=int, default=mutants, help=f"of each of the {kind}")
+    parser.add_argument("--seconds", type=float, default=float("inf"), help=f"no more {kind} after this time")
     parser.add_argument("--anew", action="store_true", help="forget earlier results of the folder")
     asked = parser.parse_args()
     asked.folder.mkdir(parents=True, exist_ok=True)
-    results = asked.folder / "results.jsonl"
+    return asked
+
+
+def judged(asked, results, judge):
+    """The lines of all seeds: those that stand in the file of results, and new ones by judge(seed), which are appended to it at once."""
     if asked.anew:
         results.unlink(missing_ok=True)
     lines = [json.loads(line) for line in results.read_text().splitlines()] if results.exists() else []
     done, end = {line["seed"] for line in lines}, time.monotonic() + asked.seconds
-    bench = Bench(asked.clearcut, asked.judge, asked.folder)
-    for seed in range(asked.first, asked.first + asked.parts):
+    for seed in range(asked.first, asked.first + asked.number):
         if seed in done:
             continue
         if time.monotonic() > end:
             break
-        lines.append(bench.part(seed, asked.mutants))
+        lines.append(judge(seed))
         with results.open("a") as out:
             out.write(json.dumps(lines[-1]) + "\n")
+    return lines
+
+
+def main():
+    asked = asked_of(__doc__, "parts", 2000, 3)
+    bench = Bench(asked.clearcut, asked.judge, asked.folder)
+    lines = judged(asked, asked.folder / "results.jsonl", lambda seed: bench.part(seed, asked.mutants))
     counts = tally(lines)
     for (what, said), count in sorted(counts.items()):
         print(f"{count:6} {what}: {said}")

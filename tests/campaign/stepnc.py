@@ -9,18 +9,14 @@ Each file is one line of FOLDER/stepnc.jsonl; files that stand there are not mad
 - it is written with its toolpaths, read again, and planned by them: the programs move alike to the digit.
 Ends with 1 where the field is certain of a wrong, where a plan is not clean, where moves differ, and where a command crashes or hangs.
 """
-import argparse
 import collections
-import json
 import pathlib
 import random
 import re
-import subprocess
 import sys
-import time
 
 sys.dont_write_bytecode = True
-from campaign import Bench  # noqa: E402
+from campaign import Bench, asked_of, judged  # noqa: E402
 from part21 import Program  # noqa: E402
 
 WORDS = ["--accept", "out-of-reach", "--accept", "leaning-walls"]
@@ -167,29 +163,9 @@ class StepNcBench(Bench):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("clearcut")
-    parser.add_argument("judge")
-    parser.add_argument("folder", type=pathlib.Path)
-    parser.add_argument("--first", type=int, default=1, help="seed of the first file")
-    parser.add_argument("--files", type=int, default=300)
-    parser.add_argument("--mutants", type=int, default=4, help="of each file")
-    parser.add_argument("--seconds", type=float, default=float("inf"), help="no new file after this time")
-    parser.add_argument("--anew", action="store_true", help="forget earlier results of the folder")
-    asked = parser.parse_args()
-    asked.folder.mkdir(parents=True, exist_ok=True)
-    results = asked.folder / "stepnc.jsonl"
-    if asked.anew:
-        results.unlink(missing_ok=True)
-    lines = [json.loads(line) for line in results.read_text().splitlines()] if results.exists() else []
-    done, end = {line["seed"] for line in lines}, time.monotonic() + asked.seconds
+    asked = asked_of(__doc__, "files", 300, 4)
     bench = StepNcBench(asked.clearcut, asked.judge, asked.folder)
-    for seed in range(asked.first, asked.first + asked.files):
-        if seed in done or time.monotonic() > end:
-            continue
-        lines.append(bench.file(seed, asked.mutants))
-        with results.open("a") as out:
-            out.write(json.dumps(lines[-1]) + "\n")
+    lines = judged(asked, asked.folder / "stepnc.jsonl", lambda seed: bench.file(seed, asked.mutants))
     counts, bad = collections.Counter(), False
     for line in lines:
         wrong = any(line["field"])

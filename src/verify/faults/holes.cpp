@@ -210,7 +210,7 @@ class HoleCheck {
     const double nearest = stands ? distance(path.from, hole_.center) : distance(path, hole_.center);
     if (nearest >= hole_.diameter / 2 + radius) return 0;
     const double farthest = std::max(distance(path.from, hole_.center), distance(path.to, hole_.center));
-    return 2 * std::min(std::max(nearest, farthest) + radius, hole_.diameter / 2);
+    return 2 * std::min(farthest + radius, hole_.diameter / 2);
   }
 
   /// A thread, a reamed or a bored wall is made by its own tool of what stands there: others must not have opened the hole beyond
